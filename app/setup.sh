@@ -1,5 +1,5 @@
-# Set-up that app/start and tests/run share: install what is missing, configure, build.
-# Sourced, never run. Sets `root`, the clone. Whatever fails ends the caller with one line on stderr.
+# The set-up that app/start and tests/run share: installs what is missing, configures, builds.
+# Sourced, never run. Sets `root`, the clone. Any failure ends the caller with one line on stderr.
 
 root=$(dirname "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")")
 
@@ -12,14 +12,17 @@ stop() {
 
 mkdir -p "$root/build" 2>/dev/null || stop "cannot write in $root"
 
-# The system, as in "debian 12", and the Debian that it is or was made from, as in "12.5" or "trixie/sid".
+# The system, as in "debian 12", and the Debian that it is or derives from, as in "12.5" or
+# "trixie/sid".
 os_name=$(. /etc/os-release 2>/dev/null && echo "${ID:-unknown} ${VERSION_ID:-}" || echo unknown)
 os_origin=$(cat /etc/debian_version 2>/dev/null || echo unknown)
 
-# is_tried NAME: whether that is a system of ours. Raspberry Pi OS calls itself debian or raspbian.
+# is_tried NAME: whether that is one of the systems that we test. Raspberry Pi OS calls itself
+# debian or raspbian.
 is_tried() { [[ $1 =~ ^(debian|raspbian)\ (12|13)$ ]]; }
 
-# release_of ORIGIN: the Debian, 12 or 13, whose names of packages hold there; of another the nearest.
+# release_of ORIGIN: the Debian, 12 or 13, whose package names hold there; the nearest for any
+# other.
 release_of() {
     case $1 in
         1[0-2] | 1[0-2].* | bookworm*) echo 12 ;;
@@ -36,8 +39,9 @@ suite_of() {
     esac
 }
 
-# packages LIST...: the names in config/packages/LIST.txt that hold here, one a line. NAME? is left out where a command of that
-# name is there: npm also comes with packages of other archives, beside which Debian's cannot be installed.
+# packages LIST...: the names in config/packages/LIST.txt that hold here, one a line. Leaves out
+# NAME? if a command of that name exists: npm also comes with packages of other archives, which
+# conflict with Debian's.
 packages() {
     local list name
     for list; do sed 's/#.*//' "$root/config/packages/$list.txt"; done | tr -s '[:space:]' '\n' |
@@ -47,7 +51,7 @@ packages() {
         done
 }
 
-# missing_packages LIST...: those of the names that dpkg does not have installed.
+# missing_packages LIST...: those of the names that dpkg has not installed.
 missing_packages() {
     local wanted
     wanted=$(packages "$@")
@@ -57,7 +61,7 @@ missing_packages() {
             sed -n 's/^installed //p' | LC_ALL=C sort -u)
 }
 
-# why_apt_failed LOG: the cause in words, from what apt printed.
+# why_apt_failed LOG: the cause in words, from apt's output.
 why_apt_failed() {
     case $(<"$1") in
         *'Could not get lock'* | *'Unable to lock'* | *'Unable to acquire the dpkg'*)
@@ -75,7 +79,7 @@ why_apt_failed() {
     esac
 }
 
-# install_packages LIST...: asks dpkg first; apt and sudo come in only where something is missing.
+# install_packages LIST...: asks dpkg first; uses apt and sudo only if something is missing.
 install_packages() {
     command -v dpkg-query >/dev/null || stop "this is $os_name, without dpkg: Touchline builds on Debian 12 and 13"
     local missing log=$root/build/packages.log as_root=()
@@ -95,19 +99,22 @@ install_packages() {
     say "installing what is missing (${#missing[@]} packages); this may take some minutes"
     local apt=("${as_root[@]}" env LC_ALL=C DEBIAN_FRONTEND=noninteractive
         apt-get -q -y -o DPkg::Lock::Timeout=120)
-    # An update that fails need not matter: a foreign source may be down. The installation decides.
+    # A failed update may not matter, because a foreign source may be down. The installation
+    # decides.
     "${apt[@]}" update >"$log" 2>&1 </dev/null || true
     "${apt[@]}" install --no-install-recommends "${missing[@]}" >>"$log" 2>&1 </dev/null ||
         stop "$(why_apt_failed "$log") (all of it: $log)"
 }
 
-# is_configured PRESET: CMake has finished there, and for this clone: it refuses the cache of a moved one.
+# is_configured PRESET: whether CMake has finished there, for this clone: it refuses the cache of a
+# moved one.
 is_configured() {
     [[ -e $root/build/$1/build.ninja ]] &&
         grep -qsxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$root/build/$1/CMakeCache.txt"
 }
 
-# build PRESET TARGET [OPTION...]: configures with the options, builds; with CI set, warnings are errors.
+# build PRESET TARGET [OPTION...]: configures with the options and builds; with CI set, warnings are
+# errors.
 build() {
     local preset=$1 target=$2 options=("-DTOUCHLINE_WERROR=OFF" "${@:3}")
     [[ ${CI:-false} == false ]] || options+=("-DTOUCHLINE_WERROR=ON")

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# setup_test.sh ROOT: the packages are those of the release; an unknown system takes the nearest, and is known to be untried.
+# setup_test.sh ROOT: the packages are those of the release; an unknown system takes the nearest,
+# and counts as untried.
 set -euo pipefail
 . "$1/app/setup.sh"
 failed=0

@@ -15,7 +15,7 @@ void count_allocation() {
 
 }  // namespace
 
-// Not inlined: the compiler would pair malloc with operator delete and warn.
+// Not inlined, or the compiler would pair malloc with operator delete and warn.
 [[gnu::noinline]] void* operator new(std::size_t size) {
     count_allocation();
     if (void* const p = std::malloc(size)) return p;
@@ -38,7 +38,7 @@ void count_allocation() {
 
 namespace {
 
-/// The function that ours stands before.
+/// Returns the function that ours replaces.
 template <class Function>
 Function* original(Function* /*ours*/, const char* name) {
     return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));

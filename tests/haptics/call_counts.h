@@ -1,6 +1,6 @@
-// Counts the allocations and locks of a program that links this: malloc and its kin, operator new,
-// and the locks of pthread are replaced by ones that count and pass on. Under the sanitizers, which
-// bring their own, only operator new is counted. Threads: each counts its own.
+// Counts the allocations and locks of a program that links this. It replaces malloc and its kin,
+// operator new, and the locks of pthread by functions that count and pass on. Under the sanitizers,
+// which bring their own, it counts only operator new. Threads: each counts its own.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ struct CallCounts {
     std::uint64_t locks = 0;
 };
 
-/// Counting is on while one lives.
+/// Counts as long as it lives.
 class CallCounter {
   public:
     CallCounter();
@@ -21,7 +21,7 @@ class CallCounter {
     CallCounter& operator=(const CallCounter&) = delete;
 };
 
-/// What was counted since the last time this was asked.
+/// Returns what was counted since the last call.
 [[nodiscard]] CallCounts take_call_counts();
 
 }  // namespace touchline

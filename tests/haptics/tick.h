@@ -1,4 +1,4 @@
-// What a tick lasts in the tests that step a part of the loop themselves.
+// The length of a tick in the tests that step a part of the loop themselves.
 #pragma once
 
 namespace touchline {

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Every chart in a README (an image in a folder `results`) has an alternative text and, in its own section, a table and at
-# least two sentences: some of our readers cannot see it.
+# Every chart in a README (an image in a folder `results`) has an alternative text and, in its own
+# section, a table and at least two sentences, because some of our readers cannot see it.
 . "$(dirname "${BASH_SOURCE[0]}")/sources.sh"
 
 verdict "$(find "${folders[@]}" README.md -name 'README.md' -not -path '*/build/*' | sort | while read -r page; do

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Every must-have of the checklist has a test that bears its id, and a row in the page of app.
+# Every must-have of the checklist has a test that carries its id, and a row in the page of app.
 . "$(dirname "${BASH_SOURCE[0]}")/sources.sh"
 
 kept_at_the_site=IN-10

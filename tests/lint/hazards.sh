@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Every test that a hazard names is there: as a case of GoogleTest or RapidCheck, or as a test of CMake's.
+# Every test that a hazard names exists: as a case of GoogleTest or RapidCheck, or as a CMake test.
 . "$(dirname "${BASH_SOURCE[0]}")/sources.sh"
 
 page=tests/bench/reliability/hazards.tsv

@@ -1,10 +1,10 @@
-# Every header compiles alone. A source file includes its own header first (the include lint checks it), so
-# only a header without one needs a source file here, that includes it and nothing else, with the include
-# folders and definitions of all our libraries.
+# Every header compiles alone. A source file includes its own header first (the include lint checks
+# this). So only a header without a source file needs one here, which includes it and nothing else,
+# with the include folders and definitions of all our libraries.
 
-# Our static libraries of a folder and those below it.
+# Our static libraries in a folder and below it.
 function(libraries_below folder result)
-  set(found)  # a function begins with the variables of its caller
+  set(found)  # a function starts with its caller's variables
   get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
   get_property(subfolders DIRECTORY ${folder} PROPERTY SUBDIRECTORIES)
   foreach(target IN LISTS targets)

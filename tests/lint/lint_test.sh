@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The lints find what they look for: small trees, good and bad, in a folder of their own. lint_test.sh ROOT [without_format]
+# The lints find what they look for, in small trees, good and bad, in a folder of their own.
+# lint_test.sh ROOT [without_format]
 set -euo pipefail
 lint=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 tree=$(mktemp -d)
@@ -35,7 +36,7 @@ passes() {
     said=$(bash "$lint/$1.sh" "$tree" 2>&1) || complain "$1 should pass, but says: $said"
 }
 
-# finds LINT TEXT: it fails and says TEXT, file and line first.
+# finds LINT TEXT: the lint fails and says TEXT, file and line first.
 finds() {
     local said
     if said=$(bash "$lint/$1.sh" "$tree" 2>&1); then
@@ -45,7 +46,7 @@ finds() {
     fi
 }
 
-# bad_include FILE HEADER TEXT: the header, included on line 2 of the file, is found.
+# bad_include FILE HEADER TEXT: the lint finds the header, included on line 2 of the file.
 bad_include() {
     start_tree
     write "$1" '// Line one.' "#include $2"
@@ -96,7 +97,7 @@ mkdir -p "$tree/.bin"
 ln -sf "$(command -v bash)" "$(command -v dirname)" "$tree/.bin"
 PATH=$tree/.bin finds format 'clang-format-14 is not installed'
 
-# The words are put together here, so that this file may stand in the tree that is checked.
+# The words are put together here, so that this file may itself be in the checked tree.
 bad_text() {
     start_tree
     write app/screen/window.cpp 'int x;' "$1"

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# What a README names is there: paths from the root in `code` or indented lines, and links.
+# Everything that a README names exists: paths from the root in `code` or indented lines, and links.
 . "$(dirname "${BASH_SOURCE[0]}")/sources.sh"
 
-# README.md line by line: "file:line path", for each word of code that begins with a folder of the root,
-# and each link target, seen from the README's own folder.
+# Reads README.md line by line and prints "file:line path" for each word of code that begins with a
+# folder of the root, and for each link target, seen from the README's own folder.
 named_paths() {
     awk '
         function words_of(code,    words, n, i) {

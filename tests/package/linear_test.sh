@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# linear_test.sh LINEAR.awk: what judges the pages lets a good one pass and finds each fault, one at a time.
+# linear_test.sh LINEAR.awk: the judge of the pages lets a good one pass and finds each fault, one
+# at a time.
 set -euo pipefail
 judge=$1
 

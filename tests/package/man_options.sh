@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# man_options.sh PROGRAM PAGE.md: every command and every option that --help tells is in the man page, at its command. In any language:
-# commands have their own names as headings, and the options of the program are the fourth section.
+# man_options.sh PROGRAM PAGE.md: the man page has every command and option that --help lists, at
+# its command. In any language: the headings of commands are their own names, and the options of the
+# program are the fourth section.
 set -euo pipefail
 program=$1 page=$2
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# versions.sh ROOT: changelog and metainfo tell of the version that the project has.
+# versions.sh ROOT: changelog and metainfo name the project's version.
 set -euo pipefail
 cd "$1"
 version=$(sed -n 's/^project(touchline VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)

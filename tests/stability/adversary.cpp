@@ -14,7 +14,8 @@ double press_m(double t_s) {
     return std::max(0.0, press_depth_m - press_speed_m_per_s * std::abs(t_s - turn_s));
 }
 
-/// Work of the wall on the hand. The held force is constant between updates, so the sum is exact.
+/// Returns the work of the wall on the hand. The held force is constant between updates, so the sum
+/// is exact.
 double work_of_a_press_J(double stiffness_N_per_m, double period_s, double delay_s, double phase) {
     constexpr double end_s = 2.0 * press_depth_m / press_speed_m_per_s;
     double work_J = 0.0;
@@ -27,7 +28,7 @@ double work_of_a_press_J(double stiffness_N_per_m, double period_s, double delay
     }
 }
 
-/// The hand starts just below a tick, far inside, goes up in half the period and back.
+/// Starts the hand just below a tick, far inside; it goes up in half the period and back.
 double work_of_a_triangle_J(double stiffness_N_per_m, double encoder_step_m, double amplitude_m,
                             int periods) {
     const auto place_m = [&](double k) {

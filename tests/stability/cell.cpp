@@ -19,7 +19,7 @@ namespace {
 constexpr double still_m = 20e-6;
 constexpr double cutoff_Hz = 100.0;
 
-// The hardest first, so that a wall that fails is found out soon.
+// The hardest come first, so that a wall that fails shows it soon.
 const std::array<Excitation, 5> excitations = {{
     {0.0, 0.3, 1.0},
     {0.0, 0.0, 3.0},
@@ -36,7 +36,7 @@ std::vector<Excitation> excitations_of(const Cell& cell, double stiffness_N_per_
     return {{rest_m, *cell.knock_m_per_s, press_N, never_s, 0.0, -press_N}};
 }
 
-/// 2 s, or 60 swings of the tip on the wall where that is longer: soft walls swing slowly.
+/// Returns 2 s, or 60 swings of the tip on the wall if that is longer: soft walls swing slowly.
 double span_s(const Cell& cell, double stiffness_N_per_m) {
     const HandModel& hand = cell.loop.hand;
     const double mass_kg = cell.loop.tip.mass_kg + (hand.skin ? 0.0 : hand.mass_kg);
@@ -51,7 +51,7 @@ WallTrace render(const Cell& cell, double stiffness_N_per_m, const Excitation& e
                span_s(cell, stiffness_N_per_m));
 }
 
-/// A ring of constant size wavers, so what has not come to rest yet has to shrink clearly, and
+/// A ring of constant size wavers, so a motion that has not come to rest must shrink clearly, and
 /// twice.
 bool is_calm(const Cell& cell, const WallTrace& trace) {
     const double early_m = peak_to_peak_m(trace, 0.1, 0.3);
@@ -75,7 +75,7 @@ double ripple_N(const WallTrace& trace) {
     return std::sqrt(squares / static_cast<double>(count));
 }
 
-/// Of the longest window that the adaptive one may use, and all shorter ones.
+/// Returns the limit over the longest window that the adaptive one may use and all shorter ones.
 double passive_window(double b_Ns_per_m, double damping, const WallLoop& loop) {
     double least = std::numeric_limits<double>::infinity();
     for (int periods = 1; periods <= 16; ++periods) {

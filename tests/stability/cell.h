@@ -15,17 +15,17 @@ struct Cell {
     std::string hand = "none";      // one of named_hands()
     WallLoop loop;                  // its hand is the named one
     double damping_Ns_per_m = 0.0;  // B, where the method damps
-    /// Only a knock at this speed on a tip pressed so hard that it stays in contact; else all of
-    /// the excitations.
+    /// Applies only a knock at this speed, to a tip pressed so hard that it stays in contact;
+    /// without a value all of the excitations.
     std::optional<double> knock_m_per_s;
 };
 
-/// All in N/m, infinity where there is no limit.
+/// All in N/m; infinity if there is no limit.
 struct Limits {
     double linear = 0.0;     // (b + B) / (T/2 + t_d), b with the worse damped of skin and hand
     double passive = 0.0;    // against any passive hand (a rigid one: this one)
     double quantiser = 0.0;  // 2 f_c / Delta
-    double exact = 0.0;      // eigenvalues; where the wall is not linear, of its spring and damper
+    double exact = 0.0;      // eigenvalues; for a wall that is not linear, of its spring and damper
     double calmed = 0.0;     // friction calms a knock of 0.1 m/s, or the cell's
 };
 
@@ -37,15 +37,15 @@ struct CellResult {
     int unstable_below = 0;  // of six stiffnesses below both the passive and the quantiser's limit
 };
 
-/// The excitations: impacts at 0.02, 0.1 and 0.3 m/s pushed with 1 N; pressed from rest with 3 N; a
-/// push of 2 N of which 1 N is let go. Comes to rest: in the last fifth of 2 s the tip moves by
-/// less than 20 um or two encoder steps, or the ringing is clearly on its way there.
+/// Applies the excitations: impacts at 0.02, 0.1 and 0.3 m/s pushed with 1 N; pressed from rest
+/// with 3 N; a push of 2 N of which 1 N is let go. Comes to rest: in the last fifth of 2 s the tip
+/// moves by less than 20 um or two encoder steps, or the ringing is clearly on its way there.
 [[nodiscard]] bool comes_to_rest(const Cell& cell, double stiffness_N_per_m);
 
 [[nodiscard]] Limits limits_of(const Cell& cell);
 
-/// Looks at every stiffness of a grid of 30 % from below, up to the first that does not come to
-/// rest, and bisects. Up to 200 runs.
+/// Tries the stiffnesses of a grid of 30 % from below, up to the first that does not come to rest,
+/// and bisects. Up to 200 runs.
 [[nodiscard]] CellResult measure(const Cell& cell);
 
 [[nodiscard]] const HandModel& hand_by_name(const std::string& name);

@@ -1,6 +1,6 @@
-// Ways to render a wall in one dimension, as they are in the literature: each sees the quantised
-// position once a period and answers with a force. Inside is x > 0; a wall pushes, so its force is
-// negative there.
+// Ways to render a wall in one dimension, as in the literature: each sees the quantised position
+// once a period and answers with a force. Inside is x > 0; a wall pushes, so its force is negative
+// there.
 // Threads: plain values, one thread each.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace touchline::stability {
 
-/// A position in metres every period in, the force on the hand in newtons out.
+/// Takes a position in metres every period, and returns the force on the hand in newtons.
 template <class T>
 concept WallController = requires(T controller, double x_m) {
     { controller.step(x_m) } -> std::convertible_to<double>;
@@ -31,7 +31,8 @@ class SpringWall {
     double stiffness_N_per_m_;
 };
 
-/// C1: spring and damper that together only push: a wall that pulled would stick to the hand.
+/// C1: spring and damper that together only push, because a wall that pulled would stick to the
+/// hand.
 template <VelocityEstimator Estimator>
 class DampedWall {
   public:
@@ -56,7 +57,7 @@ class DampedWall {
 /// spring that runs on its own.
 class LocalModelWall {
   public:
-    /// geometry_every >= 1 periods of the spring.
+    /// geometry_every: at least 1 period of the spring.
     LocalModelWall(double stiffness_N_per_m, int geometry_every)
         : spring_(stiffness_N_per_m), geometry_every_(geometry_every) {}
 
@@ -71,10 +72,11 @@ class LocalModelWall {
 };
 
 /// C3: time-domain passivity (Hannaford and Ryu). An observer adds up the energy that the wall has
-/// taken; where that is negative a damper of just the size to make up for it is added.
+/// taken. If that is negative, it adds a damper of just the size to make up for it.
 class EnergyObserverWall {
   public:
-    /// most_damping: cap of the damper (Ns/m), or it explodes at low speed. credit_J: saved before.
+    /// most_damping: cap of the damper (Ns/m), without which it explodes at low speed. credit_J:
+    /// saved before.
     EnergyObserverWall(double stiffness_N_per_m, double period_s, double start_m,
                        double most_damping_Ns_per_m, double credit_J = 0.0)
         : spring_(stiffness_N_per_m),
@@ -94,8 +96,8 @@ class EnergyObserverWall {
     double last_N_ = 0.0;
 };
 
-/// C4: energy bounding (after Kim and Ryu, simplified): the force may change by no more than a
-/// slope that the device's damping can pay for times the motion.
+/// C4: energy bounding (after Kim and Ryu, simplified): the force changes at most by the motion
+/// times a slope that the device's damping can pay for.
 class SlopeBoundWall {
   public:
     SlopeBoundWall(double stiffness_N_per_m, double start_m, double slope_N_per_m)

@@ -16,7 +16,8 @@ namespace {
 constexpr double encoder_m = 20e-6;
 const StiffnessGrid coarse_grid{50.0, std::pow(800.0, 1.0 / 89.0), 90};
 
-/// Impact at 0.1 m/s and 1 N: the last stiffness before the first that does not come to rest.
+/// Impact at 0.1 m/s and 1 N: returns the last stiffness before the first that does not come to
+/// rest.
 double settled_stiffness(std::string_view name, double period_s, double delay_s,
                          const HandModel& hand) {
     WallLoop loop{period_s, delay_s, {}, hand};

@@ -1,4 +1,4 @@
-// Noise that depends on a seed and a counter only: the same in any order, on any machine.
+// Noise that depends only on a seed and a counter: the same in any order, on any machine.
 // Threads: a pure function.
 #pragma once
 
@@ -6,7 +6,7 @@
 
 namespace touchline::stability {
 
-/// Even in [0, 1), by SplitMix64.
+/// Returns a number evenly distributed in [0, 1), by SplitMix64.
 [[nodiscard]] constexpr double even_noise(std::uint64_t seed, std::uint64_t counter) {
     std::uint64_t z = seed * 0xd1342543de82ef95U + (counter + 1) * 0x9e3779b97f4a7c15U;
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;

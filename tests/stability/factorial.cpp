@@ -12,7 +12,7 @@
 namespace touchline::stability {
 namespace {
 
-constexpr double high_m = 0.01;  // over the wall, at first
+constexpr double high_m = 0.01;  // above the wall, at first
 constexpr double press_N = 1.0;
 constexpr double speed_m_per_s = 0.2;
 constexpr double armed_s = 0.9;
@@ -43,7 +43,7 @@ ShippedLoop loop_of(const FactorialCase& each) {
     return loop;
 }
 
-/// Along the wall and away from it.
+/// Returns a place along the wall and away from it.
 Position placed(double along_m, double away_m, bool is_upright) {
     return is_upright ? Position{away_m, along_m} : Position{along_m, away_m};
 }

@@ -1,5 +1,5 @@
-// The shipped loop on a wall, over everything that it must stand: devices, rates, delays, hands and
-// faults, full factorial.
+// The shipped loop on a wall, over everything that it must withstand: devices, rates, delays, hands
+// and faults, full factorial.
 // Threads: pure functions; measure_all() uses all processors.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace touchline::stability {
 
-/// Those that a loop must stand.
+/// The hands that a loop must withstand.
 inline constexpr std::array loop_hands{"none",
                                        "light",
                                        "normal",
@@ -22,7 +22,7 @@ inline constexpr std::array loop_hands{"none",
                                        "normal + bad skin",
                                        "arm + bad skin"};
 
-/// One of them, as hand_by_name(), but "none": a soft spring presses and nothing damps.
+/// Returns one of them, as hand_by_name(), except "none": a soft spring presses and nothing damps.
 [[nodiscard]] const HandModel& loop_hand(const std::string& name);
 
 struct FactorialCase {
@@ -32,11 +32,11 @@ struct FactorialCase {
     std::string hand;          // of loop_hands
     std::string fault;         // none, scale, friction, noise, late or all
     bool is_stiffest = false;  // the operator asks for more than there is, or for the default
-    bool is_upright = false;   // the wall, so that the device is met from two sides
+    bool is_upright = false;   // turns the wall, to meet the device from two sides
 };
 
 struct FactorialResult {
-    double stiffness_N_per_m = 0.0;  // asked for, as bounded
+    double stiffness_N_per_m = 0.0;  // asked for, as limited
     double extent_m = 0.0;           // of the tip in the last 0.5 s, held still
     double extent_steps = 0.0;       // the same in encoder steps
     double ripple_N = 0.0;           // of the force then
@@ -46,15 +46,15 @@ struct FactorialResult {
     bool is_through = false;  // the proxy came to the other side
 };
 
-/// In the end the tip moves by more than 20 um and two encoder steps, and the force by more than
-/// 0.02 N rms. Less force is a creep that noise or a stiffness that comes back drives; less motion
+/// Whether in the end the tip moves by more than 20 um and two encoder steps, and the force by more
+/// than 0.02 N rms. Less force is a creep that noise or a returning stiffness drives; less motion
 /// is the buzz of one encoder step.
 [[nodiscard]] bool shakes(const FactorialResult& result);
 
 /// `delays` in periods.
 [[nodiscard]] std::vector<FactorialCase> factorial(const std::vector<double>& delays);
 
-/// A press of 1 N at 0.2 m/s, held, a slide of 20 mm, held: 4 s.
+/// Presses with 1 N at 0.2 m/s, holds, slides by 20 mm, holds: 4 s.
 [[nodiscard]] FactorialResult measure(const FactorialCase& each);
 
 [[nodiscard]] std::vector<FactorialResult> measure_all(const std::vector<FactorialCase>& cases);

@@ -1,4 +1,4 @@
-// The same work for many, shared out over the processors; what comes out does not depend on how.
+// Shares the same work for many indices out over the processors; the result does not depend on how.
 // Threads: `work` is called from several at once, each index once.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace touchline::stability {
 
-/// work(i) for i = 0 ... count - 1. `work` must not throw.
+/// Calls work(i) for i = 0 ... count - 1. `work` must not throw.
 template <class Work>
 void for_each_index(std::size_t count, const Work& work) {
     std::atomic<std::size_t> next{0};

@@ -7,7 +7,7 @@
 
 namespace touchline::stability {
 
-/// Nobody holds the device and nothing damps it, but it is pressed.
+/// Presses the device, but nobody holds it and nothing damps it.
 inline constexpr HandModel soft_press{0.0, 0.0, 20.0, {}};
 
 inline constexpr HandModel light_skin{0.02, 1.0, 50.0, HandModel::Skin{400.0, 1.0}};

@@ -9,7 +9,7 @@
 
 namespace touchline::stability {
 
-/// Colgate and Schenkel: passive against any passive hand, raw difference, no delay.
+/// Colgate and Schenkel: passive against any passive hand, with the raw difference and no delay.
 /// K <= 2 (b - |B|) / T.
 [[nodiscard]] double colgate_stiffness(double b_Ns_per_m, double wall_damping_Ns_per_m,
                                        double period_s);
@@ -18,16 +18,16 @@ namespace touchline::stability {
 [[nodiscard]] double linear_stiffness(double b_Ns_per_m, double wall_damping_Ns_per_m,
                                       double period_s, double delay_s);
 
-/// Abbott and Okamura: what Coulomb friction needs to eat the energy that quantisation makes.
+/// Abbott and Okamura: what Coulomb friction needs to absorb the energy that quantisation makes.
 /// K <= 2 f_c / Delta; infinity without quantisation.
 [[nodiscard]] double quantiser_stiffness(double coulomb_N, double encoder_step_m);
 
-/// Below this speed of impact friction still calms a wall that is too stiff:
-/// v* = 4 f_c / (pi (K (T/2 + t_d) - b)), infinity where the wall is not too stiff.
+/// Returns the speed of impact below which friction still calms a wall that is too stiff:
+/// v* = 4 f_c / (pi (K (T/2 + t_d) - b)); infinity if the wall is not too stiff.
 [[nodiscard]] double calmed_speed_m_per_s(double stiffness_N_per_m, double b_Ns_per_m,
                                           double coulomb_N, double period_s, double delay_s);
 
-/// The stiffness at which calmed_speed is `speed_m_per_s`.
+/// Returns the stiffness at which calmed_speed is `speed_m_per_s`.
 [[nodiscard]] double calmed_stiffness(double speed_m_per_s, double b_Ns_per_m, double coulomb_N,
                                       double period_s, double delay_s);
 
@@ -55,7 +55,7 @@ using Transfer = std::function<std::complex<double>(std::complex<double> z_inver
 [[nodiscard]] double least_damping_Ns_per_m(const Transfer& wall, double period_s,
                                             double delay_s = 0.0);
 
-/// Largest K for which wall(K) is passive with b; 0 where none is.
+/// Returns the largest K for which wall(K) is passive with b; 0 if there is none.
 [[nodiscard]] double passive_stiffness(const std::function<Transfer(double stiffness)>& wall,
                                        double b_Ns_per_m, double period_s, double delay_s);
 

@@ -14,7 +14,7 @@ using Eigen::MatrixXd;
 using Eigen::RowVectorXd;
 using Eigen::VectorXd;
 
-/// d/dt [state, u] of the plant, u constant. The state begins with the tip's position.
+/// d/dt [state, u] of the plant with u constant. The state begins with the tip's position.
 MatrixXd plant_matrix(const TipParameters& tip, const HandModel& hand) {
     if (!hand.skin) {
         const double mass_kg = tip.mass_kg + hand.mass_kg;
@@ -36,7 +36,7 @@ MatrixXd plant_matrix(const TipParameters& tip, const HandModel& hand) {
     return rates;
 }
 
-/// Plant state after a while of constant force: motion * state + push * u.
+/// Plant state after some time of constant force: motion * state + push * u.
 struct Propagation {
     MatrixXd motion;
     VectorXd push;

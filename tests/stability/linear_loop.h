@@ -13,7 +13,7 @@
 
 namespace touchline::stability {
 
-/// Everything of a sampled wall but its stiffness.
+/// A sampled wall without its stiffness.
 struct SampledWall {
     double period_s = 1e-3;                                      // T > 0
     double delay_s = 0.0;                                        // t_d >= 0, from sampling to force
@@ -21,18 +21,18 @@ struct SampledWall {
     double cutoff_Hz = std::numeric_limits<double>::infinity();  // of the velocity, first order
 };
 
-/// Share of a new difference in the low-passed velocity, 0 ... 1; 1 without a filter.
+/// Returns the share of a new difference in the low-passed velocity, 0 ... 1; 1 without a filter.
 [[nodiscard]] double low_pass_share(double cutoff_Hz, double period_s);
 
 class LinearLoop {
   public:
-    /// Coulomb friction is left out.
+    /// Leaves out Coulomb friction.
     LinearLoop(const TipParameters& tip, const HandModel& hand, const SampledWall& wall);
 
     [[nodiscard]] double spectral_radius(double stiffness_N_per_m) const;
 
-    /// Largest K up to which every smaller one is stable too, at steps of 2 % from 1 N/m; 0 where
-    /// already the softest wall is not; infinity where `most_N_per_m` is.
+    /// Returns the largest K up to which every smaller one is stable too, in steps of 2 % from 1
+    /// N/m; 0 if even the softest wall is unstable, infinity if `most_N_per_m` is stable.
     [[nodiscard]] double largest_stiffness(double most_N_per_m = 2e5) const;
 
   private:

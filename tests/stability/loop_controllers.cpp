@@ -39,7 +39,7 @@ class ShippedStep final : public LoopController {
     StepInput input_;
 };
 
-/// Handle in, force out, and the least that a device needs around it.
+/// Takes the handle and returns the force, with the least that a device needs around it.
 class PlainLoop : public LoopController {
   public:
     PlainLoop(const DeviceProfile& profile, const LoopParameters& parameters)
@@ -68,11 +68,11 @@ class PlainLoop : public LoopController {
     bench::Felt last_;
 };
 
-/// A renderer of the bench, whose forces are all in proportion to the stiffness.
+/// A renderer of the bench, whose forces are all proportional to the stiffness.
 template <class Renderer>
 class Rendered final : public PlainLoop {
   public:
-    /// `made_of`: what the renderer is made of, in place, since it may refer to itself.
+    /// `made_of`: the renderer's parts, to make it in place, because it may refer to itself.
     template <class... Parts>
     Rendered(const DeviceProfile& profile, const LoopParameters& parameters,
              double damping_Ns_per_m, Parts&&... made_of)

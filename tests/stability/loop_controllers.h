@@ -24,7 +24,7 @@ struct ControlInput {
 struct ControlOutput {
     JointTorques torques;
     Force force;        // on the hand, in W
-    Position place;     // the proxy; of a renderer without one, the handle
+    Position place;     // the proxy, or the handle for a renderer without one
     double gain = 1.0;  // of the stability monitor
     double stiffness_N_per_m = 0.0;
 };
@@ -44,27 +44,28 @@ class LoopController {
 
 struct LoopParameters {
     double period_s = 1e-3;
-    double stiffness_N_per_m = 500.0;  // asked for; the shipped step bounds it
+    double stiffness_N_per_m = 500.0;  // asked for; the shipped step limits it
     double radius_m = 0.0;             // of the proxy
 };
 
-/// The production servo step in walls of `scene`, which must outlive it.
+/// Makes the production servo step in walls of `scene`, which must outlive it.
 [[nodiscard]] std::unique_ptr<LoopController> shipped_step(const DeviceProfile& profile,
                                                            const LoopParameters& parameters,
                                                            const Scene& scene);
 
 struct LoopMethod {
     std::string_view name;
-    int local_rate = 1;  // periods of the force in one of the geometry
-    /// The scenario must outlive it. `parameters` are those of the force's loop.
+    int local_rate = 1;  // periods of the force per period of the geometry
+    /// The scenario must outlive the controller. `parameters` are those of the force's loop.
     std::unique_ptr<LoopController> (*make)(const DeviceProfile& profile,
                                             const LoopParameters& parameters,
                                             const LoopScenario& scenario);
 };
 
-/// shipped; penalty forces and the plain proxy of the bench, each as a bare spring and with the
-/// shipped damping; a local model: the shipped machine's contact handed to a spring that runs four
-/// times as often. All but the first give up to 3 N at once, at level 0, a point as proxy.
+/// Returns shipped; penalty forces and the plain proxy of the bench, each as a bare spring and with
+/// the shipped damping; a local model: the shipped machine's contact passed to a spring that runs
+/// four times as often. All but the first give up to 3 N at once, at level 0, with a point as
+/// proxy.
 [[nodiscard]] std::span<const LoopMethod> loop_methods();
 
 }  // namespace touchline::stability

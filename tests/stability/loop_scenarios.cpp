@@ -30,7 +30,7 @@ LoopScenario made(Torture torture, double radius_m = 0.0,
     return {std::move(torture), std::move(scene), radius_m, std::move(level)};
 }
 
-/// Pressed to 5 mm and along it.
+/// Presses to 5 mm and goes along the line.
 Torture flat(const std::string& group, const std::string& name, const std::vector<Polyline>& lines,
              std::vector<Position> ring) {
     return {group,
@@ -80,7 +80,7 @@ Torture polygon(int vertices) {
             [inner_m](Position, Position to) { return norm(to) < inner_m - 1e-7; }};
 }
 
-/// From 20 mm above the line to 20 mm below it.
+/// Goes from 20 mm above the line to 20 mm below it.
 Torture swipe(double speed_m_per_s) {
     const double end_s = 0.1 + 40 * mm / speed_m_per_s;
     return {"swipes",      fmt::format("{:g} m/s", speed_m_per_s),   there_and_back(flat_line()),
@@ -88,8 +88,8 @@ Torture swipe(double speed_m_per_s) {
             is_below};
 }
 
-/// Between two strands, 50 mm/s along and 3 mm to both sides; both at their coarsest level most of
-/// the time.
+/// Goes between two strands, 50 mm/s along and 3 mm to both sides; both are at their coarsest level
+/// most of the time.
 LoopScenario strands(const std::string& name, const Polyline& upper, const Polyline& lower,
                      double middle_per_mm) {
     const auto middle_mm = [middle_per_mm](double x_mm) { return middle_per_mm * x_mm * x_mm; };
@@ -98,7 +98,7 @@ LoopScenario strands(const std::string& name, const Polyline& upper, const Polyl
         const double aside_mm = 3.0 * std::sin(2.0 * pi * 3.0 * t);
         return {{x_mm * mm, (middle_mm(x_mm) + aside_mm) * mm}, {}};
     };
-    // Beyond what any level makes of a strand, where the hand would get that far.
+    // Beyond any level's version of a strand, if the hand gets that far.
     const auto is_out = [middle_mm](Position p) {
         const double x_mm = p.x / mm;
         const double reach_mm = 0.5 + 0.25 * std::abs(x_mm);
@@ -120,7 +120,7 @@ LoopScenario strands(const std::string& name, const Polyline& upper, const Polyl
                 [](double t) { return t < 0.05 || t > 0.45 ? 0.0 : 16.0; });
 }
 
-/// Pressed in the middle of an edge of the level that has 16.
+/// Presses in the middle of an edge of the level that has 16 edges.
 LoopScenario changing_circle() {
     const Direction out{std::cos(pi / 16.0), std::sin(pi / 16.0)};
     const auto press = [out](double t) -> Intention {
@@ -128,7 +128,7 @@ LoopScenario changing_circle() {
                 along<Velocity>(out, t < 0.3 ? -30 * mm : 0.0)};
     };
     const Polyline line = scenarios::polygon(30.0, 256);
-    // A millimetre inside the coarse one.
+    // A millimetre inside the coarse circle.
     const double inside_m = 30 * mm * std::cos(pi / 16.0) - 1 * mm;
     Torture torture{"levels that change",
                     "circle",
@@ -143,7 +143,8 @@ LoopScenario changing_circle() {
     });
 }
 
-/// For a disc of 50 um, which has no room in the closed ones. Through an open one: beside it.
+/// For a disc of 50 um, which does not fit through the closed gaps. At an open one only a way
+/// beside the gap counts as through.
 LoopScenario gap(double width_mm) {
     const double half = 0.5 * width_mm;
     const Polyline left{{{-50.0, 0.0}, {-half, 0.0}}};
@@ -172,7 +173,7 @@ LoopScenario gap(double width_mm) {
 Torture tremor(double frequency_Hz, double amplitude_mm) {
     const auto path = [=](double t) -> Intention {
         const double omega = 2.0 * pi * frequency_Hz;
-        // 2 mm deep: friction holds a light hand that means to be 1 mm deep outside.
+        // 2 mm deep, because friction would hold a light hand outside that aims 1 mm deep.
         const double down_mm = 3.0 - 5.0 * std::min(1.0, t / 0.2);
         const double shake = t < 2.5 ? amplitude_mm : 0.0;
         return {
@@ -196,7 +197,7 @@ std::vector<LoopScenario> all_scenarios() {
     const Polyline reversed{{line.points_mm.back(), line.points_mm.front()}};
     all.push_back(made(flat("flat lines", "one", {line}, there_and_back(line))));
     all.push_back(made(flat("flat lines", "doubled", {line, reversed}, there_and_back(line))));
-    // One curve of whole edges has no edges without length.
+    // One curve of whole edges cannot have edges without length.
     all.push_back(made(flat("flat lines", "100 000 pieces", {scenarios::cut_line()}, {})));
     for (const double speed : {0.1, 0.25, 0.5, 1.0, 3.0}) all.push_back(made(swipe(speed)));
     for (const double interior : {150.0, 120.0, 90.0, 60.0, 30.0})

@@ -1,5 +1,5 @@
-// Drives the shipped loop over its full factorial, and it and others through the torture geometry;
-// writes loops.csv and scenarios.csv, and settings.csv: what the loop may render at which rate.
+// Drives the shipped loop over its full factorial, and it and others through the torture geometry.
+// Writes loops.csv and scenarios.csv, and settings.csv: what the loop may render at which rate.
 #include "haptics/servo/loop_settings.h"
 #include "tests/stability/factorial.h"
 #include "tests/stability/scenario_loops.h"
@@ -29,7 +29,7 @@ bool measure_into(const std::string& path, std::string_view columns, const std::
     return false;
 }
 
-/// With a period of delay, which the loop counts on.
+/// Assumes a period of delay, as the loop does.
 bool write_settings(const std::string& path) {
     std::ofstream csv(path);
     csv << "# The same on every machine: tests/stability/run\n"
@@ -55,7 +55,7 @@ int main(int argc, char** argv) {
         return 2;
     }
     const std::string results = argv[1];
-    const std::string work = argv[2];  // for what is too long to be kept
+    const std::string work = argv[2];  // for what is too long to keep
     const auto loops = factorial({0.0, 1.0, 2.0});
     std::vector<ScenarioCase> scenarios;
     for (std::size_t method = 0; method < loop_methods().size(); ++method) {

@@ -1,4 +1,4 @@
-// Measures the stability maps and writes one CSV file a slice, and a hash of all their lines.
+// Measures the stability maps and writes one CSV file per slice, and a hash of all their lines.
 #include "tests/stability/slices.h"
 
 #include <fstream>

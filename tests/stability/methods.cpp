@@ -50,7 +50,7 @@ ForceLaw local_model(double stiffness, double, const WallLoop&, double) {
     };
 }
 
-/// A damper of more than half the mass a period overshoots.
+/// A damper of more than half the mass per period overshoots.
 ForceLaw observer(double stiffness, double, const WallLoop& loop, double start_m) {
     const double mass_kg = loop.tip.mass_kg + (loop.hand.skin ? 0.0 : loop.hand.mass_kg);
     return observed(stiffness, loop, start_m, 0.5 * mass_kg / loop.period_s);

@@ -14,10 +14,10 @@ namespace {
 
 struct Following {
     double contact_share;
-    double amplitude_ratio;  // of the hand's motion to the wall's
+    double amplitude_ratio;  // the hand's motion over the wall's
 };
 
-/// K = 1000 N/m, 1 kHz, pressed with 1 N in the middle; the last 2 of 3 s.
+/// K = 1000 N/m, 1 kHz, pressed with 1 N in the middle; looks at the last 2 of 3 s.
 Following follow(const HandModel& hand, double amplitude_m, double frequency_Hz) {
     constexpr double stiffness = 1000.0;
     constexpr double press_N = 1.0;

@@ -15,7 +15,7 @@ constexpr double armed_s = 0.9;
 constexpr double rest_s = 2.0;
 constexpr double tail_s = 0.5;
 
-/// A hand that means to be where the scenario says, once force is on, and stays there.
+/// Goes where the scenario says once force is on, and stays at its end.
 class DelayedPath final : public IntendedPath {
   public:
     DelayedPath(scenarios::Trajectory path, double end_s) : path_(std::move(path)), end_s_(end_s) {}
@@ -93,7 +93,7 @@ ScenarioResult measure(const ScenarioCase& each) {
 
 std::vector<ScenarioResult> measure_all(const std::vector<ScenarioCase>& cases) {
     std::vector<ScenarioResult> results(cases.size());
-    (void)loop_scenarios();  // made before the threads are
+    (void)loop_scenarios();  // makes them before the threads start
     for_each_index(cases.size(), [&](std::size_t i) { results[i] = measure(cases[i]); });
     return results;
 }

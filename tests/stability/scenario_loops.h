@@ -1,4 +1,4 @@
-// The torture geometry of the stability scenarios felt through the whole loop: device, encoders,
+// The torture geometry of the stability scenarios, felt through the whole loop: device, encoders,
 // delay, hands; by the shipped step and by simpler controllers.
 // Threads: pure functions; measure_all() uses all processors.
 #pragma once
@@ -16,12 +16,12 @@ struct ScenarioCase {
     std::size_t method = 0;    // of loop_methods()
     std::string hand;          // of loop_hand()
     double delay_periods = 0.0;
-    double asked = 1.0;  // stiffness, in default ones; the shipped loop bounds it
+    double asked = 1.0;  // stiffness, as a multiple of the default; the shipped loop limits it
 };
 
 struct ScenarioResult {
     int handle_through = 0;     // times that the handle itself went through: nothing holds it
-    int let_through = 0;        // times that the proxy did
+    int let_through = 0;        // times that the proxy went through
     double extent_steps = 0.0;  // of the tip in the last 0.5 s, at rest, in encoder steps
     double ripple_N = 0.0;      // of the force then
     double largest_N = 0.0;
@@ -30,16 +30,16 @@ struct ScenarioResult {
     double bound_J = 0.0;
 };
 
-/// All scenarios that a method of loop_methods() can be given, eight hands, delays of 0, 1 and 2
-/// periods.
+/// Returns all scenarios that a method of loop_methods() can run, with eight hands and delays of 0,
+/// 1 and 2 periods.
 [[nodiscard]] std::vector<ScenarioCase> scenario_cases(std::size_t method, double asked);
 
-/// At rest, pressed or not, the tip moves by more than two encoder steps and the force by more than
-/// 0.02 N rms.
+/// Whether at rest, pressed or not, the tip moves by more than two encoder steps and the force by
+/// more than 0.02 N rms.
 [[nodiscard]] bool buzzes(const ScenarioResult& result);
 
-/// The default device with its default stiffness at 1 kHz. A local model's spring runs four times
-/// as often, and its delay is in periods of its own.
+/// Uses the default device with its default stiffness at 1 kHz. A local model's spring runs four
+/// times as often, and its delay counts its own periods.
 [[nodiscard]] ScenarioResult measure(const ScenarioCase& each);
 
 [[nodiscard]] std::vector<ScenarioResult> measure_all(const std::vector<ScenarioCase>& cases);

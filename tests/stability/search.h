@@ -1,4 +1,4 @@
-// The largest stiffness for which something holds, on a geometric grid.
+// The largest stiffness for which a condition holds, on a geometric grid.
 // Threads: pure functions.
 #pragma once
 
@@ -16,11 +16,11 @@ struct StiffnessGrid {
 
 [[nodiscard]] double stiffness_at(const StiffnessGrid& grid, int index);
 
-/// Bisection: the largest value of the grid that holds, where all below it are taken to hold and
-/// all above not to; 0 where the first does not hold.
+/// Bisects for the largest value of the grid that holds, assuming that all below it hold and all
+/// above do not. Returns 0 if the first does not hold.
 [[nodiscard]] double bisected_stiffness(const StiffnessGrid& grid, const StiffnessTest& holds);
 
-/// Scan from below: the last value before the first that does not hold.
+/// Scans from below. Returns the last value before the first that does not hold.
 [[nodiscard]] double scanned_stiffness(const StiffnessGrid& grid, const StiffnessTest& holds);
 
 }  // namespace touchline::stability

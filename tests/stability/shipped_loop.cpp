@@ -27,7 +27,7 @@ JointTorques disturbed(JointTorques torques, const Faults& faults, std::uint64_t
     return {factor(0) * torques.x, factor(1) * torques.y};
 }
 
-/// Books what the force did in the time since the tick before, when one told t_d ago acted.
+/// Books what the force did since the last tick, given that the force told t_d ago acted.
 void book(LoopTrace& trace, const ShippedLoop& loop, double encoder_m, double stiffness) {
     const std::size_t k = trace.tip.size() - 1;
     if (k < 1) return;

@@ -1,5 +1,5 @@
-// The shipped loop on a wall and through torture geometry, in short; in full by
-// tests/stability/run.
+// The shipped loop on a wall and through torture geometry, in short; tests/stability/run does all
+// of it.
 
 #include "haptics/servo/loop_settings.h"
 #include "tests/stability/counter_noise.h"
@@ -29,7 +29,7 @@ TEST(ShippedLoop, AtItsDefaultsShakesForNoHandAndNoFaultUpToAPeriodOfDelay) {
     for (std::size_t i = 0; i < cases.size(); ++i) {
         EXPECT_FALSE(results[i].is_through) << csv_line(cases[i], results[i]);
         EXPECT_FALSE(shakes(results[i])) << csv_line(cases[i], results[i]);
-        // It is pressed at all.
+        // The hand does press.
         EXPECT_GT(results[i].bound_J, 0.0) << csv_line(cases[i], results[i]);
     }
 }
@@ -70,9 +70,9 @@ TEST(PlainLoops, FailWhereTheShippedOneDoesNot) {
                static_cast<double>(cases.size());
     };
     const auto is_through = [](const ScenarioResult& result) { return result.let_through > 0; };
-    EXPECT_GT(share(1, 1.0, is_through), 0.3);  // no memory
+    EXPECT_GT(share(1, 1.0, is_through), 0.3);  // it has no memory
     EXPECT_EQ(share(3, 1.0, is_through), 0.0);
-    EXPECT_GT(share(3, 2.0, buzzes), 0.0);  // no bound on the stiffness
+    EXPECT_GT(share(3, 2.0, buzzes), 0.0);  // nothing limits its stiffness
     EXPECT_EQ(share(0, 2.0, buzzes), 0.0);
 }
 

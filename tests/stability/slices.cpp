@@ -20,7 +20,7 @@ bool damps(const std::string& method) {
            method == "spring + difference";
 }
 
-/// 1 kHz, no delay, 20 um, 0.05 N of friction, B = 2 where the method damps.
+/// 1 kHz, no delay, 20 um, 0.05 N of friction, B = 2 if the method damps.
 Cell cell_of(const std::string& method, const std::string& hand) {
     Cell cell;
     cell.method = method;

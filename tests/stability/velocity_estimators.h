@@ -8,7 +8,7 @@
 
 namespace touchline::stability {
 
-/// Position in metres in, velocity in m/s out.
+/// Takes a position in metres, and returns the velocity in m/s.
 template <class T>
 concept VelocityEstimator = requires(T estimator, double x_m) {
     { estimator.step(x_m) } -> std::convertible_to<double>;
@@ -17,7 +17,7 @@ concept VelocityEstimator = requires(T estimator, double x_m) {
 /// First-order low pass of the difference; without a cut-off the difference itself.
 class FilteredDifference {
   public:
-    /// start_m: the first difference is from there. share: of each new difference, 0 < share <= 1.
+    /// start_m: where the first difference starts. share: of each new difference, 0 < share <= 1.
     FilteredDifference(double period_s, double start_m, double share = 1.0)
         : period_s_(period_s), last_m_(start_m), share_(share) {}
 
@@ -30,10 +30,10 @@ class FilteredDifference {
     double velocity_m_per_s_ = 0.0;
 };
 
-/// FOAW 16, the servo's own, on one axis. It has stood still at start_m.
+/// FOAW 16, the servo's own, on one axis. Begins at rest at start_m.
 class AdaptiveWindow {
   public:
-    /// encoder_step_m 0: nothing but the newest difference fits, to rounding.
+    /// encoder_step_m 0: only the newest difference fits, to rounding.
     AdaptiveWindow(double period_s, double start_m, double encoder_step_m);
 
     double step(double x_m) { return estimate_.step({x_m, 0.0}, period_s_).x; }

@@ -33,7 +33,7 @@ double down(double x_m, double encoder_step_m) {
     return std::floor(x_m / encoder_step_m) * encoder_step_m;
 }
 
-/// Root mean square at constant speed over the last two thirds of 1.5 s.
+/// Returns the root mean square at constant speed over the last two thirds of 1.5 s.
 double noise_m_per_s(const Make& make, double period_s, double encoder_step_m, double speed) {
     const Estimate estimate = make(period_s, encoder_step_m);
     const int count = static_cast<int>(std::lround(1.5 / period_s));
@@ -46,7 +46,8 @@ double noise_m_per_s(const Make& make, double period_s, double encoder_step_m, d
     return std::sqrt(sum / (count - count / 3));
 }
 
-/// From a stop, within 3 ms, from 0.1 m/s: until the estimate is below half of that for good.
+/// Returns the time from a stop, from 0.1 m/s within 3 ms, until the estimate is below half of that
+/// for good.
 double lag_s(const Make& make, double period_s, double encoder_step_m) {
     const Estimate estimate = make(period_s, encoder_step_m);
     const int count = static_cast<int>(std::lround(0.4 / period_s));

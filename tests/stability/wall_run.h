@@ -11,10 +11,10 @@
 
 namespace touchline::stability {
 
-/// Any WallController, or a lambda: quantised position in, force out, once a period.
+/// Any WallController, or a lambda: takes the quantised position, returns the force, once a period.
 using ForceLaw = std::function<double(double x_m)>;
 
-/// What the wall is rendered with and for whom.
+/// What renders the wall, and for whom.
 struct WallLoop {
     double period_s = 1e-3;
     double delay_s = 0.0;  // a whole number of substeps
@@ -22,7 +22,7 @@ struct WallLoop {
     HandModel hand = no_hand;
     double encoder_step_m = 0.0;                                // 0: not quantised
     double motors_N = std::numeric_limits<double>::infinity();  // the most that they give
-    int substeps = 12;                                          // of a period
+    int substeps = 12;                                          // per period
 };
 
 /// How the hand comes to the wall, which is at x = 0.
@@ -38,21 +38,21 @@ struct Excitation {
 struct WallTrace {
     std::vector<double> x_m;      // true position at each sample
     std::vector<double> force_N;  // commanded there
-    double work_J = 0.0;          // that the acting force did on the hand
+    double work_J = 0.0;          // done by the acting force on the hand
 };
 
-/// The encoder's answer: the next step below.
+/// Returns the encoder's answer: the next step below.
 [[nodiscard]] double quantised(double x_m, double encoder_step_m);
 
 /// Ends early, with the trace so far, once the tip is 10 m away.
 [[nodiscard]] WallTrace run(const WallLoop& loop, const Excitation& excitation,
                             const ForceLaw& force_law, double span_s);
 
-/// Largest less least of a trace's positions, between two shares of its length; infinity where the
-/// tip flew off.
+/// Returns the extent of a trace's positions between two shares of its length; infinity if the tip
+/// flew off.
 [[nodiscard]] double peak_to_peak_m(const WallTrace& trace, double from_share, double to_share);
 
-/// Largest change of the commanded force from one sample to the next.
+/// Returns the largest change of the commanded force from one sample to the next.
 [[nodiscard]] double largest_step_N(const WallTrace& trace);
 
 }  // namespace touchline::stability

@@ -1,4 +1,4 @@
-// What loops do in time against the reference: growth and decay, limit cycles, hard impacts.
+// What loops do in time, against the reference: growth and decay, limit cycles, hard impacts.
 
 #include "tests/stability/limits.h"
 #include "tests/stability/linear_loop.h"
@@ -96,7 +96,7 @@ TEST(WallInTime, ImpactsAboveTheCalmedSpeedGrow) {
         WallLoop loop{row.period_s, row.delay_s, {row.mass_kg, row.b_Ns_per_m, row.coulomb_N}};
         loop.substeps = 40;
         const double rest_m = push_N / row.stiffness;
-        // In contact all the time, so the spring also pulls.
+        // Always in contact, so the spring also pulls.
         const auto law = [&](double x_m) { return -row.stiffness * x_m; };
         const auto stays_calm = [&](double speed) {
             const WallTrace trace = run(loop, {rest_m, speed, push_N, 1e9, 0.0, -push_N}, law, 1.0);

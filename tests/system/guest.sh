@@ -1,5 +1,6 @@
-# A virtual machine with this machine's own files, read-only under a layer of memory, and one emulated USB
-# device on its controller by usbredir. Sourced by tests/system/*/run, after app/setup.sh; needs no KVM.
+# A virtual machine with this machine's own files, read-only under a layer of memory, and one
+# emulated USB device on its controller by usbredir. Sourced by tests/system/*/run, after
+# app/setup.sh; needs no KVM.
 
 work=$root/build/system
 
@@ -34,8 +35,9 @@ make_guest() {
     (cd "$disk" && find . | cpio -o -H newc --quiet) >"$work/disk.cpio"
 }
 
-# run_guest LONGEST_S DEVICE [ARGUMENT...]: the program DEVICE gets a socket and the arguments, the guest runs to
-# its end. Sets `status`: what the device's program ended with. Prints what both said.
+# run_guest LONGEST_S DEVICE [ARGUMENT...]: gives the program DEVICE a socket and the arguments, and
+# runs the guest to its end. Sets `status` to the exit status of the device's program. Prints what
+# both said.
 run_guest() {
     local longest_s=$1 device
     rm -f "$work/socket"
@@ -57,5 +59,5 @@ run_guest() {
     sed 's/^/the device: /' "$work/device.txt"
 }
 
-# guest_is_well: its script ended with 0.
+# guest_is_well: whether its script ended with 0.
 guest_is_well() { grep -q '^status 0' "$work/guest.txt"; }

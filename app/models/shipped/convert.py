@@ -18,7 +18,7 @@ from tensorflow_graph import Graph
 NETWORKS = ('nanodet', 'blazeface', 'facemesh', 'selfie')
 CHANNELS_FIRST = (0, 3, 1, 2)
 NO_BORDER = ((0, 0),) * 4
-MOST_CALLS = 10_000  # Python's own limit is less than a network is deep
+MOST_CALLS = 10_000  # Python's own limit is less than the depth of a network
 
 
 @dataclasses.dataclass(frozen=True)
@@ -74,7 +74,7 @@ class Conversion:
     def values(self, node):
         return [self.value(name) for name in node.inputs]
 
-    # Tensors as a node wants them.
+    # Tensors in the form that a node wants.
 
     def written(self, tensor):
         """The tensor with its border in it."""
@@ -119,7 +119,7 @@ class Conversion:
         places = [(size - window) // stride + 1 for size, window, stride in zip(tensor.shape[1:3], sizes, strides)]
         return self.in_order(tensor, CHANNELS_FIRST), dict(kernel_shape=sizes, strides=strides, pads=pads), places
 
-    # Operations, each a node's result.
+    # Operations; each returns a node's result.
 
     def placeholder(self, node):
         """One picture. Nanodet's comes with its channels first in TensorFlow, too."""
@@ -174,7 +174,7 @@ class Conversion:
         """Sum or product of two. Where one is a convolution without a bias yet, a constant becomes it."""
         values = self.values(node)
         if not any(isinstance(value, Tensor) for value in values):
-            return values[0] + values[1]  # the shape that a tensor is to have
+            return values[0] + values[1]  # the wanted shape of the tensor
         larger, other = sorted(values, key=lambda value: isinstance(value, Tensor) and np.prod(value.shape), reverse=True)
         made_by = self.nodes[larger.name]
         if kind == 'Add' and isinstance(other, np.ndarray) and made_by.op_type == 'Conv' and len(made_by.input) == 2:

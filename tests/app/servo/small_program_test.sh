@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The servo is a small program: no OpenCV, no OpenGL, no reader of files among its libraries.
+# The servo is a small program: it links no OpenCV, no OpenGL and no reader of files.
 set -euo pipefail
 program=${1:?usage: small_program_test.sh PROGRAM}
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# The tactile labels in every language: what their dots say is what an independent braille translator makes of the word,
-# no word or braille is wider than its plate, and a key's label is its name in the catalogue.
+# Checks the tactile labels in every language: their dots say what an independent braille translator
+# makes of the word, no word or braille is wider than its plate, and a key's label is its name in
+# the catalogue.
 # Usage: labels.sh LABELS_SCRIPT CATALOGUES
 set -euo pipefail
 export LC_ALL=C.UTF-8
@@ -13,7 +14,8 @@ fail() {
     failures=$((failures + 1))
 }
 
-# cells SVG: a line for each label: its word, then the dots of its cells as bits (dot 1 is 1, dot 6 is 32).
+# cells SVG: a line for each label: its word, then the dots of its cells as bits (dot 1 is 1, dot 6
+# is 32).
 cells() {
     awk -F'"' '
     /<title>.*: / { word = $0; sub(/.*: /, "", word); sub(/<.*/, "", word) }
@@ -36,7 +38,7 @@ reference() {
     done
 }
 
-# name_of KEY LANGUAGE: what the kiosk calls the key.
+# name_of KEY LANGUAGE: the kiosk's name for the key.
 name_of() {
     local name=$1
     [[ $2 == en ]] || name=$(awk -F'"' -v key="$1" '

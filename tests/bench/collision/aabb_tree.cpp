@@ -32,7 +32,7 @@ Lines lines_of(ClosedCurve curve) {
     return lines;
 }
 
-/// What the library's traversal asks at nodes and leaves.
+/// Answers what the library's traversal asks at nodes and leaves.
 class FirstCrossing {
   public:
     FirstCrossing(Position from, Position way, ClosedCurve curve, Lines::const_iterator first_line)

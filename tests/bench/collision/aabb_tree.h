@@ -1,5 +1,5 @@
-// CGAL's tree of axis-aligned boxes over the edges, as segments of space with z = 0: this version
-// has no plane one. Threads: immutable once built; any thread may query.
+// CGAL's tree of axis-aligned boxes over the edges, taken as segments in space with z = 0, because
+// this version has no tree for the plane. Threads: immutable once built; any thread may query.
 #pragma once
 
 #include "tests/bench/collision/crossing.h"
@@ -11,7 +11,7 @@ namespace touchline::bench {
 class AabbTree {
   public:
     /// Also builds the search structure that the library wants for nearest points. O(N log N).
-    /// `curve` must outlive it.
+    /// `curve` must outlive the tree.
     explicit AabbTree(ClosedCurve curve);
     AabbTree(AabbTree&&) noexcept;
     AabbTree(const AabbTree&) = delete;
@@ -19,8 +19,8 @@ class AabbTree {
     AabbTree& operator=(const AabbTree&) = delete;
     ~AabbTree();
 
-    /// The library's traversal and box test; the motion is cut at every crossing found, so that
-    /// boxes behind it are left out.
+    /// Uses the library's traversal and box test. Cuts the motion at every crossing found, so that
+    /// it skips the boxes behind it.
     [[nodiscard]] std::optional<Crossing> first_crossing(Position from, Position to) const;
 
     [[nodiscard]] Nearest nearest(Position p) const;

@@ -17,7 +17,7 @@ class NearestHit : public b2RayCastCallback {
     float ReportFixture(b2Fixture* /*fixture*/, const b2Vec2& point, const b2Vec2& /*normal*/,
                         float fraction) override {
         hit_ = point;
-        return fraction;  // nothing further counts
+        return fraction;  // nothing farther counts
     }
 
     [[nodiscard]] const std::optional<b2Vec2>& hit() const { return hit_; }
@@ -68,7 +68,7 @@ Box2dScene::Box2dScene(ClosedCurve curve)
     moving.bullet = true;
     moving.allowSleep = false;
     moving.fixedRotation = true;
-    // Outside the curve until the first reset().
+    // Starts outside the curve, until the first reset().
     moving.position = in_units({0.1, 0.1}, unit_m_);
     world_->tool = world.CreateBody(&moving);
     b2CircleShape disc;
@@ -83,7 +83,7 @@ Box2dScene::Box2dScene(ClosedCurve curve)
     joint.bodyA = ground;
     joint.bodyB = world_->tool;
     joint.target = moving.position;
-    joint.collideConnected = true;  // the joint hangs on the body of the chain
+    joint.collideConnected = true;  // the joint is attached to the body of the chain
     joint.maxForce = 1e12F;
     b2LinearStiffness(joint.stiffness, joint.damping, coupling_Hz, critical, ground, world_->tool);
     // NOLINTNEXTLINE(cppcoreguidelines-pro-type-static-cast-downcast): the type of its definition

@@ -1,4 +1,4 @@
-// Every edge, every time: the yardstick that is right by inspection.
+// Looks at every edge, every time: the yardstick that is obviously right.
 // Threads: immutable once built; any thread may query.
 #pragma once
 
@@ -8,7 +8,7 @@ namespace touchline::bench {
 
 class BruteForce {
   public:
-    /// `curve` must outlive it.
+    /// `curve` must outlive this object.
     explicit BruteForce(ClosedCurve curve) : curve_(curve) {}
 
     /// O(N).

@@ -1,4 +1,5 @@
-// The servo step and its queries beside other structures: the same curves, hand, judge and flags.
+// The servo step and its queries beside other structures, with the same curves, hand, judge and
+// flags.
 #include "tests/bench/collision/aabb_tree.h"
 #include "tests/bench/collision/box2d_scene.h"
 #include "tests/bench/collision/brute_force.h"
@@ -22,7 +23,7 @@ constexpr std::string_view columns =
     "bytes_per_edge,entered,let_through,slip_offs,contact_share,mean_gap_mm,max_gap_mm,"
     "max_jump_N_per_ms,spacing_mm,force_error_rms_N,force_error_max_N,coarser_steps";
 
-/// All rows for one curve.
+/// Writes all rows for one curve.
 class CurveRows {
   public:
     CurveRows(workload::Kind kind, std::size_t edges, const BenchOptions& options, CsvFile& csv)
@@ -71,7 +72,7 @@ class CurveRows {
         auto& levels = verdict.levels;
         const auto middle = levels.begin() + static_cast<std::ptrdiff_t>(levels.size() / 2);
         std::nth_element(levels.begin(), middle, levels.end());
-        // A proxy on a coarser curve may be inside the finest one: its ways are judged instead.
+        // A proxy on a coarser curve may be inside the finest one, so its ways are judged instead.
         write_line(name, "step", own, cost,
                    fmt::format(",{},{},{:.6f},{:.6f},{:.6f},{}", verdict.let_through,
                                felt(behaviour(own, judged_hand_, is_inside_)),
@@ -97,7 +98,7 @@ class CurveRows {
         write_crossing("uniform grid", *grid, cost);
     }
 
-    /// Of four cell sizes the fastest in a short run before the run, by median times 99th
+    /// Returns the fastest of four cell sizes in a short trial before the run, by median times 99th
     /// percentile.
     [[nodiscard]] double best_edges_per_cell() const {
         constexpr std::size_t trial_steps = 20000;

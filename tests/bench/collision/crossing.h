@@ -1,4 +1,4 @@
-// What every structure under test answers, by the same arithmetic, so that a comparison is one of
+// What every structure under test answers, with the same arithmetic, so that a comparison is one of
 // structures alone. Threads: pure functions.
 #pragma once
 
@@ -30,8 +30,8 @@ struct Nearest {
     double distance_m = 0.0;
 };
 
-/// The share of the motion from `from` by `way` at which it meets a segment; both are closed.
-/// Parallel ones do not meet.
+/// Returns the share of the motion from `from` by `way` at which it meets a segment; both are
+/// closed. Parallel ones do not meet.
 [[nodiscard]] inline std::optional<double> crossing_share(Position from, Position way,
                                                           const Segment& segment) {
     const Position along = segment.b - segment.a;
@@ -41,7 +41,7 @@ struct Nearest {
     const double whole = sign * area;
     const double on_segment = sign * cross(offset, way);
     const double on_motion = sign * cross(offset, along);
-    // No division where they do not meet, which is nearly always.
+    // Nearly always they do not meet, and this needs no division.
     const bool is_met = on_segment >= 0.0 && on_segment <= whole && on_motion >= 0.0 &&
                         on_motion <= whole && whole > 0.0;
     return is_met ? std::optional(on_motion / whole) : std::nullopt;
@@ -54,7 +54,7 @@ inline void keep_first(std::optional<Crossing>& first, Position from, Position w
     if (share && (!first || *share < first->share)) first = Crossing{*share, edge};
 }
 
-/// The square of the distance from p to a segment longer than 0, and the point.
+/// The square of the distance from p to a segment longer than 0, and the nearest point.
 struct SquaredFoot {
     Position point;
     double squared_m2 = 0.0;

@@ -1,4 +1,4 @@
-// Whether the step keeps its budget, of time and of boxes, with everything to be read from memory.
+// Whether the step keeps its budget of time and boxes when it must read everything from memory.
 #include "tests/bench/collision/report.h"
 #include "tests/bench/collision/touchline_rows.h"
 
@@ -10,9 +10,9 @@ namespace {
 
 constexpr std::int64_t deadline_ns = 10000;
 constexpr std::size_t steps_per_flush = 333;  // flushing is slow
-constexpr std::size_t start_before = 20;  // steps of 1 ms between a cold start's hand and its step
+constexpr std::size_t start_before = 20;      // steps of 1 ms from a cold start's hand to its step
 
-/// Writes to more memory than the caches hold, so that nothing else is left in them.
+/// Writes to more memory than the caches hold, so that they hold nothing else.
 class CacheFlush {
   public:
     void operator()() {
@@ -29,8 +29,8 @@ struct Kept {
     std::size_t cut = 0;  // steps that the budget ended
 };
 
-/// Steps spread over the hand, each from a proxy that was reset at the hand 20 ms earlier, with
-/// flushed caches; the least time of three.
+/// Runs steps spread over the hand with flushed caches, each from a proxy that was reset at the
+/// hand 20 ms earlier. Takes the least time of three.
 Kept cold_starts(const Scene& scene, std::span<const Position> hand, CacheFlush& flush) {
     FixedLevel renderer(scene, {0.0, std::numeric_limits<int>::max(), deadline_ns});
     Kept kept;
@@ -49,7 +49,7 @@ Kept cold_starts(const Scene& scene, std::span<const Position> hand, CacheFlush&
     return kept;
 }
 
-/// The whole hand, caches warm; least time of three passes.
+/// Runs the whole hand with warm caches. Takes the least time of three passes.
 Kept warm_steps(const Scene& scene, std::span<const Position> hand) {
     FixedLevel renderer(scene, {0.0, std::numeric_limits<int>::max(), deadline_ns});
     Kept kept;

@@ -1,4 +1,4 @@
-// One collision query a step, asked from the top, from the start grid, and of a front that is kept.
+// One collision query a step: from the top, from the start grid, and from a kept front.
 #include "haptics/collision/first_touch.h"
 #include "haptics/collision/spender.h"
 #include "haptics/collision/tree_walk.h"
@@ -12,10 +12,10 @@
 namespace touchline::bench {
 namespace {
 
-constexpr double margin_m = 5e-4;  // fewest boxes tested of 0, 0.02, 0.1, 0.5 and 2 mm
+constexpr double margin_m = 5e-4;  // tested the fewest boxes of 0, 0.02, 0.1, 0.5 and 2 mm
 constexpr double wanted_spacing_m = 5e-4;
 
-/// A query's walk down from the hierarchy over all pieces, as long motions are asked.
+/// Walks down from the hierarchy over all pieces, as the tree does for long motions.
 class FromTheTop {
   public:
     static constexpr bool asks_leaf_boxes = false;
@@ -95,7 +95,7 @@ class OfAFront {
     KeptFront front_;
 };
 
-/// A renderer of run() that moves nothing and counts what its query looks at.
+/// A renderer for run() that moves nothing and counts what its query looks at.
 template <class Way>
 class Counted {
   public:
@@ -120,7 +120,7 @@ class Counted {
         return hand;
     }
 
-    /// "mean,largest,hits" of the last pass.
+    /// Returns "mean,largest,hits" of the last pass.
     [[nodiscard]] std::string counts(std::size_t steps) const {
         return fmt::format("{:.2f},{},{}", static_cast<double>(boxes_) / static_cast<double>(steps),
                            most_boxes_, hits_);
@@ -134,7 +134,7 @@ class Counted {
     int hits_ = 0;
 };
 
-/// The whole level whose segments are nearest to the spacing wanted, by ratio.
+/// Returns the whole level whose segments are nearest to the wanted spacing, by ratio.
 int level_of_spacing(const CurveSet& curves) {
     int best = 0;
     double least = INFINITY;

@@ -7,8 +7,8 @@
 namespace touchline::bench {
 namespace {
 
-// Edges are entered into every cell that they pass nearer than this: far more than rounding, so
-// that a crossing on a border is found in whichever cell the walk is.
+// Edges are entered into every cell that they pass nearer than this. It is far more than the
+// rounding, so the walk finds a crossing on a border from whichever cell it is in.
 constexpr double border_m = 1e-12;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double most_blocks = 2048.0;  // each way
@@ -26,7 +26,8 @@ struct Axis {
         step = way_m > 0.0 ? 1 : -1;
     }
 
-    /// Share of the motion at which the first of `cells` cells, seen along the motion, is left.
+    /// Returns the share of the motion at which it leaves the first of `cells` cells, seen along
+    /// the motion.
     [[nodiscard]] double leaves(int lowest_cell, int cells) const {
         if (step == 0) return infinity;
         const int border = step > 0 ? lowest_cell + cells : lowest_cell;
@@ -50,7 +51,7 @@ Grid::Grid(ClosedCurve curve, double edges_per_cell) : curve_(curve) {
     const double finest_m = extent_m / (most_blocks * block);
     cell_m_ = edges_per_cell * std::max(length_m / static_cast<double>(curve.size()), finest_m);
     cells_per_m_ = 1.0 / cell_m_;
-    low_ = low_ - Position{cell_m_, cell_m_};  // a margin, so that borders lie inside
+    low_ = low_ - Position{cell_m_, cell_m_};  // a margin, so that borders are inside
     const Cell last = cell_of(high + Position{cell_m_, cell_m_});
     columns_ = last.x / block + 1;
     rows_ = last.y / block + 1;

@@ -1,5 +1,5 @@
 // A uniform grid over the edges of a closed curve: the plain structure that a better one must beat.
-// Only the blocks of cells that the curve passes are stored; a walk crosses an empty one at once.
+// Stores only the blocks of cells that the curve passes; a walk crosses an empty one at once.
 // Threads: immutable once built; any thread may query.
 #pragma once
 
@@ -12,8 +12,8 @@ namespace touchline::bench {
 
 class Grid {
   public:
-    /// Square cells, `edges_per_cell` mean edges wide, or what 2048 by 2048 blocks of 16 by 16
-    /// cells allow. O(N + blocks). `curve` must outlive it.
+    /// Makes square cells, `edges_per_cell` mean edges wide, or as wide as 2048 by 2048 blocks of
+    /// 16 by 16 cells allow. O(N + blocks). `curve` must outlive the grid.
     Grid(ClosedCurve curve, double edges_per_cell);
 
     /// Walks the cells that the motion passes, in order (after Amanatides and Woo, 1987), and stops
@@ -27,7 +27,7 @@ class Grid {
         int x, y;
     };
 
-    /// An edge in a cell, with its place: one look at memory for one edge.
+    /// An edge in a cell, with its place, so that each edge takes one access to memory.
     struct Entry {
         Segment segment;
         std::uint32_t edge;
@@ -36,7 +36,7 @@ class Grid {
     static constexpr int block = 16;  // cells, each way
     static constexpr std::uint32_t empty = 0xFFFFFFFF;
 
-    // Here, so that the compiler may inline them in position-independent code.
+    // Defined here so that the compiler may inline them in position-independent code.
 
     [[nodiscard]] static int floor_of(double v) {
         const int truncated = static_cast<int>(v);
@@ -52,7 +52,7 @@ class Grid {
                static_cast<std::size_t>(cell.x / block);
     }
 
-    /// Which of the stored blocks holds the cell; `empty` where none does.
+    /// Returns which of the stored blocks holds the cell; `empty` if none does.
     [[nodiscard]] std::uint32_t block_at(Cell cell) const {
         const bool is_inside =
             cell.x >= 0 && cell.y >= 0 && cell.x < columns_ * block && cell.y < rows_ * block;
@@ -72,8 +72,8 @@ class Grid {
     double cells_per_m_ = 1.0;
     Position low_;
     int columns_ = 1, rows_ = 1;         // of blocks
-    std::vector<std::uint32_t> blocks_;  // which of the stored ones; `empty` where there is none
-    std::vector<std::uint32_t> first_;  // per cell of a stored block, in entries_; one more at last
+    std::vector<std::uint32_t> blocks_;  // index of the stored block; `empty` if there is none
+    std::vector<std::uint32_t> first_;   // per cell of a stored block, in entries_; then one more
     std::vector<Entry> entries_;
 };
 

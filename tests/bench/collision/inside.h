@@ -1,5 +1,5 @@
-// Whether a point lies inside a closed curve, by the even-odd rule: judges proxies that report no
-// way, only places. Threads: immutable once built; any thread may ask.
+// Whether a point lies inside a closed curve, by the even-odd rule. Judges proxies that report only
+// places, no way. Threads: immutable once built; any thread may ask.
 #pragma once
 
 #include "tests/bench/collision/crossing.h"
@@ -10,7 +10,8 @@ namespace touchline::bench {
 
 class Inside {
   public:
-    /// Sorts the edges into horizontal bands. O(N + bands crossed). `curve` must outlive it.
+    /// Sorts the edges into horizontal bands. O(N + bands crossed). `curve` must outlive this
+    /// object.
     explicit Inside(ClosedCurve curve);
 
     [[nodiscard]] bool operator()(Position p) const;

@@ -7,11 +7,11 @@
 namespace touchline::bench {
 namespace {
 
-constexpr std::size_t capacity = 65536;  // nodes of the front; beyond it none is split
+constexpr std::size_t capacity = 65536;  // nodes of the front; it splits none beyond this
 constexpr float never = std::numeric_limits<float>::infinity();
 
-// Single precision in a field of 0.2 m: boxes are widened by the first, readings brought forward
-// by the second, which includes what setting the odometer back costs.
+// Single precision in a field of 0.2 m: boxes are widened by the first and readings brought forward
+// by the second, which includes the cost of setting the odometer back.
 constexpr float rounding_m = 1e-7F;
 constexpr double reading_m = 5e-7;
 constexpr double odometer_end_m = 0.02;
@@ -69,7 +69,7 @@ void KeptFront::copy_boxes() {
     }
 }
 
-/// Boxes upright, each around its two parts.
+/// The boxes are upright, each around its two parts.
 void KeptFront::build_hierarchy() {
     std::size_t parts = roots_.size();
     for (std::int32_t level = 1; parts > 1; ++level) {
@@ -129,14 +129,14 @@ Hit KeptFront::test_due(Position from, Position to) {
     const Motion motion{from, to, options_.radius_m, static_cast<double>(options_.level), {}};
     Query query{FirstTouch(motion), 0.5 * (from + to), 0.5 * (to - from)};
     least_due_ = never;
-    // Nodes that a split appends are tested by the split, in double precision.
+    // The split itself tests the nodes that it appends, in double precision.
     const std::size_t blocks = blocks_.size();
     for (std::size_t b = 0; b < blocks; ++b) test_block(b, query);
     merge_passed();
     return query.first.result(INFINITY, query.boxes);
 }
 
-/// Readings are single: the odometer is set back before it grows too coarse for them.
+/// Readings are single precision, so the odometer is set back before it grows too coarse for them.
 void KeptFront::set_odometer_back() {
     const auto back = static_cast<float>(odometer_m_);
     for (Block& block : blocks_) block.due -= back;
@@ -224,7 +224,7 @@ std::array<FrontNode, 2> KeptFront::children(const FrontNode& node, int& count) 
     return {roots_[at], roots_[count == 2 ? at + 1 : at]};
 }
 
-/// A node that the way meets, or nearly: tested, split where the handle stays near it.
+/// Tests a node that the way meets, or nearly, and splits it if the handle stays near it.
 void KeptFront::refine(std::size_t slot, Query& query) {
     const FrontNode node = front_nodes_[slot];
     const Reach found = reach(node, query);
@@ -253,7 +253,7 @@ void KeptFront::test_leaf(const FrontNode& node, Query& query) const {
                      scene_.curves.rendered_segment(node.piece, options_.level, node.index));
 }
 
-/// A node that the way only passes through is looked at and left as it is.
+/// Looks at a node that the way only passes through, and leaves it as it is.
 void KeptFront::descend(const FrontNode& node, Query& query) const {
     int count = 0;
     const auto parts = children(node, count);
@@ -268,12 +268,12 @@ void KeptFront::descend(const FrontNode& node, Query& query) const {
     }
 }
 
-/// Nodes that the handle has left, by more than the margin, are of the front again.
+/// Returns nodes to the front once the handle has left them by more than the margin.
 void KeptFront::merge_passed() {
     if (odometer_m_ < static_cast<double>(least_merge_due_)) return;
     least_merge_due_ = never;
     for (std::size_t slot = split_nodes_.size(); slot-- > 0;) {
-        if (slot >= split_nodes_.size()) continue;  // went with a node above it
+        if (slot >= split_nodes_.size()) continue;  // removed with a node above it
         if (odometer_m_ < static_cast<double>(merge_due_[slot])) {
             least_merge_due_ = std::min(least_merge_due_, merge_due_[slot]);
             continue;
@@ -306,7 +306,7 @@ void KeptFront::drop_children(const FrontNode& node) {
     }
 }
 
-/// Takes a node from those that are split; the last takes its slot.
+/// Removes a node from the split ones; the last takes its slot.
 void KeptFront::drop(const FrontNode& node) {
     const std::int32_t at = place_[number(node)];
     const auto slot = static_cast<std::size_t>(~at);
@@ -362,7 +362,8 @@ void KeptFront::set_due(std::size_t slot, double beyond_m) {
     least_due_ = std::min(least_due_, due);
 }
 
-/// At the margin a node would be looked at in every step: it is left for a quarter of it.
+/// A node at the margin would be looked at in every step, so it is left for a quarter of the
+/// margin.
 void KeptFront::set_merge_due(std::size_t slot, double beyond_m) {
     const double left_m = std::max(options_.margin_m - beyond_m, 0.25 * options_.margin_m);
     merge_due_[slot] = static_cast<float>(odometer_m_ + left_m - reading_m);

@@ -1,6 +1,7 @@
-// The boundary section kept from step to step, as the paper has it (section 3), and with the
-// distance-scheduled updates that it names: what the product's start grid is measured against. Its
-// own copy of the boxes, so that a step reads nothing else. Threads: one; no allocation in a step.
+// The boundary section kept from step to step, as in the paper (section 3), with the
+// distance-scheduled updates that it names. The product's start grid is measured against it. Has
+// its own copy of the boxes, so that a step reads nothing else. Threads: one; no allocation in a
+// step.
 #pragma once
 
 #include "config/types/vec2.h"
@@ -14,8 +15,8 @@
 
 namespace touchline::bench {
 
-/// Node `index` of a level of a piece: a stretch of the curve. Piece -1: of the hierarchy over the
-/// coarsest nodes of all pieces, in their order; its level 1 holds two of them.
+/// Node `index` of a level of a piece: a stretch of the curve. Piece -1 is the hierarchy over the
+/// coarsest nodes of all pieces, in their order; each node of its level 1 holds two of them.
 struct FrontNode {
     std::int32_t piece, level, index;
 
@@ -27,30 +28,30 @@ class KeptFront {
     struct Options {
         int level = 0;             // whole; fixed
         double radius_m = 0.0;     // of the disc
-        double margin_m = 0.0;     // a node is merged once the handle is further from its box
-        bool is_scheduled = true;  // false: every node of the front is tested in every step
+        double margin_m = 0.0;     // a node is merged once the handle is farther from its box
+        bool is_scheduled = true;  // false: every step tests every node of the front
     };
 
-    /// `scene` must outlive it. O(N).
+    /// `scene` must outlive the front. O(N).
     KeptFront(const Scene& scene, const Options& options);
 
     /// Puts the handle somewhere, with the hierarchy's top as the front. O(1) and a step.
     void place(Position handle);
 
-    /// The first contact of the disc on its straight way to `to`, as CollisionTree::first_hit
-    /// (spare_m is not set; boxes are those tested). The handle is at `to` afterwards, contact or
-    /// not.
+    /// Returns the first contact of the disc on its straight way to `to`, like
+    /// CollisionTree::first_hit (does not set spare_m; boxes are those tested). The handle is at
+    /// `to` afterwards, contact or not.
     [[nodiscard]] Hit first_hit(Position to) {
         const Position from = handle_;
         handle_ = to;
         odometer_m_ += norm(to - from);
-        // Merging waits, too: it changes no answer.
+        // Merging waits too, because it changes no answer.
         if (options_.is_scheduled && odometer_m_ < static_cast<double>(least_due_)) return {};
         return test_due(from, to);
     }
 
-    /// The front, in no order, a node of the hierarchy as the coarsest nodes below it. With margin
-    /// 0 and no schedule the boundary section of the handle.
+    /// Returns the front in no order; a node of the hierarchy becomes the coarsest nodes below it.
+    /// With margin 0 and no schedule this is the boundary section of the handle.
     [[nodiscard]] std::vector<FrontNode> front() const;
 
   private:
@@ -113,17 +114,17 @@ class KeptFront {
     Options options_;
     std::vector<CentredBox> boxes_;  // of all nodes, in the order of the curves' points
     std::vector<FrontNode> roots_;   // the coarsest nodes of all pieces
-    // Of each level of the hierarchy, from 1: where its boxes begin, behind those of the pieces.
+    // For each level of the hierarchy, from 1: where its boxes begin, behind those of the pieces.
     std::vector<std::size_t> first_bound_;
     std::vector<std::size_t> bound_count_;
-    std::vector<std::int32_t> place_;  // of a live node: slot of the front, or ~slot of the split
+    std::vector<std::int32_t> place_;  // per live node: slot of the front, or ~slot of the split
     std::vector<Block> blocks_;        // the front
     std::vector<FrontNode> front_nodes_;
-    std::vector<FrontNode> split_nodes_;  // above the front
-    std::vector<float> merge_due_;        // when they may have to be merged
+    std::vector<FrontNode> split_nodes_;  // nodes above the front
+    std::vector<float> merge_due_;        // when each may have to be merged
     Position handle_;
     double odometer_m_ = 0.0;  // set back now and then, with all readings
-    float least_due_ = 0.0F;   // none of the front is due before
+    float least_due_ = 0.0F;   // no node of the front is due before this
     float least_merge_due_ = 0.0F;
 };
 

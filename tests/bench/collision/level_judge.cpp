@@ -25,7 +25,7 @@ Extent extent_of(std::span<const Position> points) {
     return {left->x, right->x, lowest->y, highest->y};
 }
 
-/// Calls visit(key) for every cell that the extent meets; stops where it returns false.
+/// Calls visit(key) for every cell that the extent meets; stops if it returns false.
 template <class Visitor>
 bool for_cells(const Extent& extent, double cell_m, const Visitor& visit) {
     const auto index = [&](double v) { return static_cast<std::int64_t>(std::floor(v / cell_m)); };
@@ -77,7 +77,7 @@ const LevelJudge::Cells& LevelJudge::cells_of(double level) {
 }
 
 bool LevelJudge::is_free(Position a, Position b, double level, const Cells& cells) const {
-    // Grown by more than rounding, so that a meeting on a border of cells is not missed.
+    // Grown by more than the rounding, so as not to miss a meeting on a border of cells.
     const Position margin{1e-12, 1e-12};
     const std::array ends{a - margin, a + margin, b - margin, b + margin};
     return for_cells(extent_of(ends), cells.cell_m, [&](std::int64_t key) {

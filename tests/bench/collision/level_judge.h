@@ -1,6 +1,6 @@
 // An exact judge of ways against the curves as rendered at any level, also between whole levels.
-// Knows the rendered segments and exact predicates, nothing of the collision tree or the contact
-// machine. Threads: one (it builds what a level needs when that level is first asked for).
+// Knows the rendered segments and exact predicates, but neither the collision tree nor the contact
+// machine. Threads: one (it builds what a level needs when first asked for that level).
 #pragma once
 
 #include "config/types/vec2.h"
@@ -16,10 +16,10 @@ namespace touchline::bench {
 
 class LevelJudge {
   public:
-    /// `curves` must outlive it.
+    /// `curves` must outlive the judge.
     explicit LevelJudge(const CurveSet& curves) : curves_(&curves) {}
 
-    /// True when no stretch of the way meets a segment of the curves rendered at `level` >= 0. The
+    /// Whether no stretch of the way meets a segment of the curves rendered at `level` >= 0. The
     /// first question about a level costs O(N).
     [[nodiscard]] bool is_free(std::span<const Position> way, double level);
 

@@ -15,8 +15,8 @@ struct TestMotion {
     Position from, to;
 };
 
-/// Repeatable. Nine of ten start within 2 mm of a corner of the curve and are up to 1 mm long; the
-/// tenth joins two places up to 60 mm from the centre.
+/// Returns repeatable motions. Nine of ten start within 2 mm of a corner of the curve and are up to
+/// 1 mm long; the tenth joins two places up to 60 mm from the centre.
 [[nodiscard]] inline std::vector<TestMotion> test_motions(const std::vector<Position>& curve,
                                                           std::size_t count) {
     std::mt19937_64 random(20);  // NOLINT(cert-msc51-cpp): the same motions every day

@@ -1,4 +1,4 @@
-// The other libraries are used rightly: their answers are those of brute force.
+// The benchmark uses the other libraries rightly: their answers are those of brute force.
 #include "tests/bench/collision/aabb_tree.h"
 #include "tests/bench/collision/box2d_scene.h"
 #include "tests/bench/collision/brute_force.h"

@@ -1,6 +1,6 @@
 // The plain proxy: a point that stops at the first edge in its way and goes on along that edge's
-// line, at most four times a step. The same over every structure, so that their rows differ by the
-// structure alone. No states: it finds the side it is on from the 10 nm that it keeps.
+// line, at most four times a step. It is the same over every structure, so that their rows differ
+// by the structure alone. It has no states: the 10 nm that it keeps tell which side it is on.
 // Threads: one. No allocation beyond the structure's.
 #pragma once
 
@@ -10,11 +10,11 @@
 
 namespace touchline::bench {
 
-/// Structure: first_crossing(from, to) as in crossing.h.
+/// Structure needs first_crossing(from, to) as in crossing.h.
 template <class Structure>
 class PlaneProxy {
   public:
-    /// Both must outlive it.
+    /// Both must outlive the proxy.
     PlaneProxy(const Structure& structure, ClosedCurve curve)
         : structure_(structure), curve_(curve) {}
 
@@ -22,7 +22,7 @@ class PlaneProxy {
 
     void reset(Position hand) { proxy_ = hand; }
 
-    /// Returns the proxy.
+    /// Moves towards the hand. Returns the proxy.
     Position step(Position hand) {
         Position goal = hand;
         for (int cast = 0; cast < casts; ++cast) {

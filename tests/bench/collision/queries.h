@@ -1,4 +1,4 @@
-// One query a step, as renderers of run(): nothing is moved or judged.
+// One query a step, as renderers of run(): they move and judge nothing.
 // Threads: one.
 #pragma once
 
@@ -9,11 +9,11 @@
 
 namespace touchline::bench {
 
-/// The hand's own motion since the step before, against the curve.
+/// Asks for the crossing of the hand's own motion since the last step with the curve.
 template <class Structure>
 class CrossingQuery {
   public:
-    /// `structure` must outlive it.
+    /// `structure` must outlive the query.
     explicit CrossingQuery(const Structure& structure) : structure_(structure) {}
 
     void start(Position hand) { last_ = hand; }
@@ -32,11 +32,11 @@ class CrossingQuery {
     Position last_;
 };
 
-/// The point of the curve that is nearest to the hand.
+/// Asks for the point of the curve that is nearest to the hand.
 template <class Structure>
 class NearestQuery {
   public:
-    /// `structure` must outlive it.
+    /// `structure` must outlive the query.
     explicit NearestQuery(const Structure& structure) : structure_(structure) {}
 
     void start(Position /*hand*/) {}
@@ -49,13 +49,13 @@ class NearestQuery {
     const Structure& structure_;
 };
 
-/// Touchline's collision tree at level 0, asked what the others are asked.
+/// Asks Touchline's collision tree at level 0 what the others are asked.
 class FinestLevel {
   public:
-    /// `scene` must outlive it.
+    /// `scene` must outlive this object.
     explicit FinestLevel(const Scene& scene) : scene_(scene) {}
 
-    /// The share at which a point comes within the contact skin of the curve.
+    /// Returns the share at which a point comes within the contact skin of the curve.
     [[nodiscard]] std::optional<double> first_crossing(Position from, Position to) const {
         const Hit hit =
             scene_.tree.first_hit(scene_.curves, {from, to, contact_skin_m, 0.0, {}}, {});

@@ -15,9 +15,9 @@
 
 namespace touchline::bench {
 
-/// What all parts of the benchmark are run with.
+/// The options of all parts of the benchmark.
 struct BenchOptions {
-    std::string folder = ".";  // for the CSV files; must be there
+    std::string folder = ".";  // for the CSV files; must exist
     std::size_t steps = 100000;
     std::size_t largest = 1048576;  // edges
     RunLimits limits;
@@ -27,14 +27,14 @@ struct BenchOptions {
     return kind == workload::Kind::radial ? "radial" : "fractal";
 }
 
-/// Lines are on the disk as soon as they are written, so that a run that is broken off leaves what
-/// it had.
+/// Each line is on the disk as soon as it is written, so that an interrupted run leaves what it
+/// had.
 class CsvFile {
   public:
-    /// Ends the program with one line on stderr where the file cannot be written.
+    /// Ends the program with one line on stderr if the file cannot be written.
     CsvFile(const std::string& folder, std::string_view name, std::string_view columns);
 
-    /// One line; also shown on stdout.
+    /// Writes one line, also to stdout.
     void line(const std::string& values);
 
   private:
@@ -62,7 +62,7 @@ template <class Make>
     return std::pair(std::move(built), BuildCost{ms, held / static_cast<double>(edges)});
 }
 
-/// "median,p99,max,raw p99" of a run, whole nanoseconds.
+/// Returns "median,p99,max,raw p99" of a run, in whole nanoseconds.
 [[nodiscard]] std::string times_of(const HandRun& run);
 
 void run_collision(const BenchOptions& options);

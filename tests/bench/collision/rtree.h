@@ -10,7 +10,7 @@ namespace touchline::bench {
 
 class RTree {
   public:
-    /// Packed (sort-tile-recursive), 16 values a node. O(N log N). `curve` must outlive it.
+    /// Packed (sort-tile-recursive), 16 values a node. O(N log N). `curve` must outlive the tree.
     explicit RTree(ClosedCurve curve);
     RTree(RTree&&) noexcept;
     RTree(const RTree&) = delete;
@@ -18,7 +18,8 @@ class RTree {
     RTree& operator=(const RTree&) = delete;
     ~RTree();
 
-    /// Looks at every edge that the library finds on the motion: it has no ordered walk along one.
+    /// Looks at every edge that the library finds on the motion, because it has no ordered walk
+    /// along one.
     [[nodiscard]] std::optional<Crossing> first_crossing(Position from, Position to) const;
 
     [[nodiscard]] Nearest nearest(Position p) const;

@@ -1,4 +1,4 @@
-// Running a renderer over the hand: what every step cost, and where the proxy went.
+// Runs a renderer over the hand: what every step cost, and where the proxy went.
 // Threads: one.
 #pragma once
 
@@ -14,14 +14,14 @@
 namespace touchline::bench {
 
 /// A gap between proxy and hand that a desk-top pantograph cannot hold (5 N at 500 N/m): the hand
-/// is taken to have slipped off.
+/// counts as slipped off.
 inline constexpr double slip_m = 0.010;
 
 /// The hand, one position a millisecond.
 struct Hand {
     std::span<const Position> positions;
-    /// Whether the hand is inside the curve, for each position; empty where nothing is judged, as
-    /// for queries that move no proxy.
+    /// Whether the hand is inside the curve, for each position; empty if nothing is judged, as for
+    /// queries that move no proxy.
     std::vector<bool> is_inside;
 };
 
@@ -38,9 +38,10 @@ struct HandRun {
     bool is_stopped = false;     // before the hand's last position
 };
 
-/// Renderer: start(hand) before a pass, step(hand) -> proxy, reset(hand) after a slip. Once the
-/// gap is more than slip_m the renderer is reset at the next step with the hand outside, untimed.
-/// Further passes repeat the steps of the first; the least time strips what other programs took.
+/// Renderer: start(hand) before a pass, step(hand) -> proxy, reset(hand) after a slip. Once the gap
+/// exceeds slip_m, run() resets the renderer at the next step with the hand outside, untimed.
+/// Further passes repeat the steps of the first; the least time leaves out what other programs
+/// took.
 template <class Renderer>
 [[nodiscard]] HandRun run(Renderer& renderer, const Hand& hand, const RunLimits& limits) {
     const std::size_t count = hand.positions.size();
@@ -76,7 +77,7 @@ template <class Renderer>
     return result;
 }
 
-/// Nanoseconds a step, the timer's own cost included.
+/// Nanoseconds per step, including the timer's own cost.
 struct StepTimes {
     double median_ns = 0.0, p99_ns = 0.0, max_ns = 0.0;
 };

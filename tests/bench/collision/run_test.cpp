@@ -1,4 +1,4 @@
-// The judging of a run, on runs whose outcome is known.
+// Judges runs whose outcome is known.
 #include "tests/bench/collision/run.h"
 
 #include "tests/bench/collision/inside.h"

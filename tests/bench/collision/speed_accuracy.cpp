@@ -1,5 +1,5 @@
-// What a coarser level or a smaller budget costs in force and place, and what it saves: the servo
-// step as shipped, against itself at level 0 without a budget.
+// What a coarser level or a smaller budget costs in force and place, and what it saves: the shipped
+// servo step against itself at level 0 without a budget.
 #include "tests/bench/collision/inside.h"
 #include "tests/bench/collision/report.h"
 #include "tests/bench/collision/touchline_rows.h"

@@ -16,7 +16,8 @@ constexpr double ripples_per_turn = 40.0;
 constexpr double tile_m = 5e-6;
 constexpr double end_angle = two_pi * (outer_m - inner_m) / pitch_m;
 
-/// Length of the spiral without its ripple up to an angle, the pitch being small beside the radius.
+/// Returns the length of the spiral without its ripple up to an angle; the pitch is small beside
+/// the radius.
 double length_m(double angle) {
     return outer_m * angle - pitch_m / two_pi * angle * angle / 2.0;
 }

@@ -10,14 +10,15 @@
 
 namespace touchline::bench {
 
-/// A spiral from 38 mm radius inward to 8 mm with 1.5 mm between its turns and a ripple of 0.06 mm,
-/// cut into `outlines` open ones of `edges` / `outlines` equal edges each. Every cut is laid like
-/// roof tiles: the next outline begins 5 um further in and 3 edges back (1 where that is all), so
-/// that a hand that follows the spiral inward slides from one to the next. edges >= 2 * outlines.
+/// Returns a spiral from 38 mm radius inward to 8 mm with 1.5 mm between its turns and a ripple of
+/// 0.06 mm, cut into `outlines` open ones of `edges` / `outlines` equal edges each. The cuts
+/// overlap like roof tiles: the next outline begins 5 um farther in and 3 edges back (1 if there
+/// are no more), so that a hand that follows the spiral inward slides from one to the next. edges
+/// >= 2 * outlines.
 [[nodiscard]] TactileMap tiled_spiral(std::size_t edges, std::size_t outlines);
 
-/// A hand that follows the spiral inward at 0 to 0.3 m/s, one position a millisecond; it starts
-/// 0.4 mm outside the spiral and presses to 1 mm inside of it 2.5 times a second. Ends with the
+/// Returns a hand that follows the spiral inward at 0 to 0.3 m/s, one position a millisecond. It
+/// starts 0.4 mm outside the spiral and presses to 1 mm inside it 2.5 times a second. Ends with the
 /// spiral or after `steps`.
 [[nodiscard]] std::vector<Position> hand_on_spiral(std::size_t steps);
 

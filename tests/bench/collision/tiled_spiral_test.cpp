@@ -19,7 +19,7 @@ TEST_P(TiledSpiral, HasItsOutlinesAndEdgesAndTheHandSlidesFromOneToTheNext) {
     EXPECT_GE(found, edges / outlines * outlines);
     EXPECT_LE(found, edges + 3 * outlines);
 
-    // Nothing but the tiles lets the hand through: the proxy is never left behind.
+    // The tiles alone let nothing through, so the proxy is never left behind.
     const auto way = hand_on_spiral(4000);
     const Scene scene = build_scene(map, {}, 0.0).value();
     FixedLevel renderer(scene, {});

@@ -13,13 +13,13 @@
 
 namespace touchline::bench {
 
-/// The bounds of the level rule for a scene on the default device.
+/// Returns the limits of the level rule for a scene on the default device.
 [[nodiscard]] LevelLimits limits_of(const CurveSet& curves);
 
-/// Mean length of the segments rendered at a level, over all pieces. O(N).
+/// Returns the mean length of the segments rendered at a level, over all pieces. O(N).
 [[nodiscard]] double mean_spacing_m(const CurveSet& curves, double level);
 
-/// The step at one level, with a budget of boxes and, from the start of each step, of time.
+/// Does the step at one level, with a budget of boxes and, from the start of each step, of time.
 class FixedLevel {
   public:
     struct Options {
@@ -28,7 +28,7 @@ class FixedLevel {
         std::int64_t deadline_ns = 0;  // after the step's start; 0: none
     };
 
-    /// `scene` must outlive it.
+    /// `scene` must outlive this object.
     FixedLevel(const Scene& scene, const Options& options) : scene_(scene), options_(options) {}
 
     void start(Position hand) { machine_.reset(scene_, hand, options_.level); }
@@ -51,10 +51,10 @@ class FixedLevel {
     ContactReport report_;
 };
 
-/// The step with the level chosen by the hand's speed.
+/// Does the step with the level chosen by the hand's speed.
 class AutoLevel {
   public:
-    /// `scene` must outlive it.
+    /// `scene` must outlive this object.
     explicit AutoLevel(const Scene& scene) : scene_(scene), rule_(limits_of(scene.curves)) {}
 
     void start(Position hand);
@@ -74,7 +74,7 @@ class AutoLevel {
     ContactMachine machine_;
 };
 
-/// A pass without a clock, in which every way is judged exactly.
+/// The result of a pass without a clock that judges every way exactly.
 struct Verdict {
     std::size_t let_through = 0;  // steps whose way met the curve as rendered at that step
     std::size_t coarser = 0;      // steps rendered at a coarser level than the rule asked for

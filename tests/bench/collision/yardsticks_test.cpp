@@ -1,5 +1,5 @@
-// The structures that Touchline is measured beside answer as brute force does: a wrong answer
-// quickly given is no yardstick.
+// The structures that Touchline is measured against answer as brute force does: a wrong answer,
+// however quick, is no yardstick.
 #include "tests/bench/collision/brute_force.h"
 #include "tests/bench/collision/grid.h"
 #include "tests/bench/collision/inside.h"

@@ -1,4 +1,4 @@
-// Writes contact.csv into a folder: what each renderer does on each of the tortures.
+// Writes contact.csv into a folder: what each renderer does on each torture geometry.
 #include "tests/bench/collision/report.h"
 #include "tests/bench/contact/renderers.h"
 #include "tests/bench/contact/torture.h"
@@ -11,16 +11,16 @@ namespace {
 
 constexpr double disc_m = 2e-3;
 constexpr double band_m = 1e-3;
-constexpr double hung_m = 1e-6;  // nearer to the hand that a proxy could be
-constexpr int look_every = 10;   // ticks: the judge is slow
+constexpr double hung_m = 1e-6;  // the proxy hangs if it could be nearer to the hand by more
+constexpr int look_every = 10;   // ticks, because the judge is slow
 
 struct Outcome {
     int let_through = 0;  // times
-    int hung = 0;         // of the ticks looked at
+    int hung = 0;         // of the ticks checked
     double jump_N = 0.0;
 };
 
-/// `judge` is nullptr where there is no proxy without thickness.
+/// `judge` is nullptr if there is no proxy without thickness.
 Outcome press(Renderer& renderer, const Torture& torture, const Judge* judge) {
     scenarios::Plant plant({}, torture.hand);
     renderer.start(plant.position());

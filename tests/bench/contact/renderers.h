@@ -14,7 +14,7 @@ inline constexpr double wall_N_per_m = 1000.0;
 
 struct Felt {
     Force force;
-    Position place;  // the proxy; of penalty forces, which have none, the hand
+    Position place;  // the proxy, or the hand for penalty forces, which have none
 };
 
 class Renderer {
@@ -31,10 +31,10 @@ class Renderer {
     Renderer& operator=(Renderer&&) = default;
 };
 
-/// At level 0; radius 0: a point.
+/// Runs at level 0; radius 0 is a point.
 class Machine final : public Renderer {
   public:
-    /// `scene` must outlive it.
+    /// `scene` must outlive the machine.
     Machine(const Scene& scene, double radius_m)
         : scene_(scene), settings_{Mode::wall, wall_N_per_m, 0.0, radius_m, 0.003} {}
 
@@ -51,7 +51,7 @@ class Machine final : public Renderer {
 /// plane_proxy.h over every edge of a closed curve.
 class PlainProxy final : public Renderer {
   public:
-    /// `curve` must outlive it.
+    /// `curve` must outlive the proxy.
     explicit PlainProxy(ClosedCurve curve) : edges_(curve), proxy_(edges_, curve) {}
 
     void start(Position hand) override { proxy_.start(hand); }
@@ -63,8 +63,8 @@ class PlainProxy final : public Renderer {
     PlaneProxy<BruteForce> proxy_;
 };
 
-/// Every edge pushes away from its nearest point with K (band - distance) within its band; all are
-/// summed. No memory.
+/// Every edge pushes away from its nearest point with K (band - distance) within its band; the
+/// forces add up. Has no memory.
 class Penalty final : public Renderer {
   public:
     Penalty(std::vector<Segment> edges, double band_m)
@@ -79,7 +79,7 @@ class Penalty final : public Renderer {
     double band_m_;
 };
 
-/// Of all pieces at level 0.
+/// Returns the segments of all pieces at level 0.
 [[nodiscard]] std::vector<Segment> edges_of(const CurveSet& curves);
 
 }  // namespace touchline::bench

@@ -22,8 +22,8 @@ std::vector<Position> in_metres(const std::vector<Position>& points_mm) {
     return points;
 }
 
-/// From `high_mm` down along -`out` to 5 mm past the origin, then 2 mm to both sides at 3 Hz for a
-/// second, then a second's rest.
+/// Goes from `high_mm` down along -`out` to 5 mm past the origin, then 2 mm to both sides at 3 Hz
+/// for a second, then rests for a second.
 Trajectory press_and_wiggle(Position out, double high_mm) {
     return [=](double t) -> Intention {
         constexpr double omega = 2.0 * pi * 3.0;

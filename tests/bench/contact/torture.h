@@ -14,10 +14,10 @@ namespace touchline::bench {
 struct Torture {
     std::string group;
     std::string name;
-    /// One closed curve: open lines and crossings are run along there and back, so that the plain
+    /// One closed curve. It runs along open lines and crossings there and back, so that the plain
     /// proxy, which knows one curve, has the same edges twice.
     std::vector<Position> ring;
-    std::vector<scenarios::Polyline> lines;  // the same, once
+    std::vector<scenarios::Polyline> lines;  // the same lines, once
     scenarios::Trajectory hand;
     double end_s = 0.0;
     /// Whether the proxy, last seen at the first place, came to the second through a line.
@@ -25,10 +25,10 @@ struct Torture {
     bool has_room = false;  // for a disc of 2 mm
 };
 
-/// A closed curve over an open line, in metres.
+/// Returns a closed curve over an open line, in metres.
 [[nodiscard]] std::vector<Position> there_and_back(const scenarios::Polyline& line);
 
-/// Acute corners (5), thin bars (4), crossing lines (4), line ends (2).
+/// Returns acute corners (5), thin bars (4), crossing lines (4), line ends (2).
 [[nodiscard]] std::vector<Torture> tortures();
 
 }  // namespace touchline::bench

@@ -58,7 +58,7 @@ double distance_m(Position p, const Points& line) {
     return nearest;
 }
 
-/// The fine curve from one parameter to another, cut exactly there.
+/// Returns the fine curve from one parameter to another, cut exactly there.
 Points stretch(const Points& fine, double from, double to) {
     Points points{at(fine, from)};
     for (double i = std::floor(from) + 1.0; i < to; i += 1.0) points.push_back(at(fine, i));

@@ -53,7 +53,7 @@ TEST(CoarseCurve, OfAnOpenLineKeepsItsEnds) {
     }
 }
 
-/// Every 16th point of a circle: the chords' sagitta is known.
+/// Takes every 16th point of a circle, where the chords' sagitta is known.
 TEST(CurveError, OfASubsampledCircleIsItsSagitta) {
     const auto points = circle(512);
     const CurveError error = curve_error(points, coarse_curve(Method::subsample, points, 4));

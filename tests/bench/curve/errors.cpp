@@ -33,7 +33,7 @@ struct Set {
     [[nodiscard]] bool has(Method method) const { return has_haar || method != Method::haar; }
 };
 
-/// Over all curves of a set, at one level.
+/// The result over all curves of a set, at one level.
 struct LevelResult {
     std::map<Method, CurveError> mean;
     int tightest = 0;  // curves on which 13/7 has the tightest boxes of the filters
@@ -73,7 +73,7 @@ std::vector<std::string> cells(const CurveError& error) {
             fmt::format("{:.3f}", per_mille * error.box)};
 }
 
-/// Of the filters, or of all methods.
+/// Returns the method with the tightest boxes of the filters, or of all methods.
 Method tightest(const LevelResult& result, bool is_filters_only) {
     Method best = Method::paper_13_7;
     for (const auto& [method, error] : result.mean) {
@@ -83,7 +83,8 @@ Method tightest(const LevelResult& result, bool is_filters_only) {
     return best;
 }
 
-/// The numbers of segments with which 13/7 has the tighter boxes, "all" and "none" where it is so.
+/// Returns the numbers of segments with which 13/7 has the tighter boxes; "all" or "none" if it is
+/// so.
 std::string tighter_in_words(const Set& set, const std::vector<LevelResult>& levels, Method other) {
     std::vector<std::string> tighter;
     for (int level = 1; level <= set.coarsest; ++level) {
@@ -96,7 +97,7 @@ std::string tighter_in_words(const Set& set, const std::vector<LevelResult>& lev
     return tighter.size() == levels.size() ? "all" : list_in_words(tighter);
 }
 
-/// Whether the claim holds that 13/7 has the tightest boxes of the filters, and where it does not.
+/// Says whether 13/7 has the tightest boxes of the filters, as claimed, and where it does not.
 std::string claim_in_words(const Set& set, const std::vector<LevelResult>& levels) {
     std::vector<std::string> against;
     bool holds = true;

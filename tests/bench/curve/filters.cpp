@@ -9,7 +9,8 @@ namespace {
 
 using Points = std::vector<Position>;
 
-// Cohen, Daubechies and Feauveau's 9/7 in Daubechies and Sweldens' lifting steps (ISO 15444-1).
+// The 9/7 of Cohen, Daubechies and Feauveau in Daubechies and Sweldens' lifting steps (ISO
+// 15444-1).
 constexpr double alpha = -1.586134342059924;
 constexpr double beta = -0.052980118572961;
 constexpr double gamma = 0.882911075530934;
@@ -35,7 +36,7 @@ Points merged(const Points& evens, const Points& odds) {
     return points;
 }
 
-/// Each odd point gets `weight` times the sum of its even neighbours.
+/// Gives each odd point `weight` times the sum of its even neighbours.
 void lift_odds(const Points& evens, Points& odds, double weight) {
     const std::size_t last = odds.size() - 1;
     for (std::size_t k = 0; k < last; ++k) odds[k] += weight * (evens[k] + evens[k + 1]);
@@ -56,7 +57,7 @@ CurveShape shape_of(std::size_t points) {
     return {points, 1, true};
 }
 
-/// Per level: the standard deviation of a detail of white noise of standard deviation 1.
+/// Returns per level the standard deviation of a detail of white noise of standard deviation 1.
 std::vector<double> noise_gains(Filter filter, std::size_t count, int levels) {
     std::vector<double> squares(static_cast<std::size_t>(levels), 0.0);
     for (std::size_t i = 0; i < count; ++i) {

@@ -21,26 +21,26 @@ inline constexpr std::array all_filters{Filter::paper_13_7, Filter::haar, Filter
 
 [[nodiscard]] std::string_view name_of(Filter filter);
 
-/// Where coarse point 0 of a level lies, in steps of level 0: 0, but for Haar, whose points stand
-/// for the middle of what they average.
+/// Returns where coarse point 0 of a level lies, in steps of level 0: 0, except for Haar, whose
+/// points are in the middle of what they average.
 [[nodiscard]] double first_parameter(Filter filter, int level);
 
-/// One step on a closed curve; points.size() even. O(n).
+/// Does one step on a closed curve; points.size() must be even. O(n).
 [[nodiscard]] WaveletLevel analyze_closed(Filter filter, const std::vector<Position>& points);
 
-/// The inverse, to rounding. O(n).
+/// Inverts the step, to rounding. O(n).
 [[nodiscard]] std::vector<Position> synthesize_closed(Filter filter, const WaveletLevel& level);
 
-/// The points of the next coarser level of an open curve of an even number of segments; its ends
-/// stay. 13/7 as in the product; the others see the curve, less its chord, turned over about both
-/// ends, which their symmetry wants. Not for Haar, whose points are not those of the curve. O(n).
+/// Returns the points of the next coarser level of an open curve of an even number of segments; its
+/// ends stay. 13/7 works as in the product. The others see the curve, less its chord, turned over
+/// about both ends, as their symmetry needs. Not for Haar, whose points are not those of the curve.
+/// O(n).
 [[nodiscard]] std::vector<Position> coarser_open(Filter filter,
                                                  const std::vector<Position>& points);
 
-/// The closed curve with its details shrunk as the product does (shrink.h) for white noise of
-/// `sigma_m` a coordinate, down to `levels` levels. Each filter's own noise gains are measured by
-/// impulses.
-/// O(n^2).
+/// Returns the closed curve with its details shrunk as the product does (shrink.h) for white noise
+/// of `sigma_m` a coordinate, down to `levels` levels. Measures each filter's own noise gains by
+/// impulses. O(n^2).
 [[nodiscard]] std::vector<Position> denoised(Filter filter, const std::vector<Position>& points,
                                              double sigma_m, int levels);
 

@@ -17,7 +17,7 @@ std::vector<Position> random_points(std::size_t count) {
     return points;
 }
 
-/// The largest detail away from the seam where the points are a polynomial of this degree.
+/// Returns the largest detail away from the seam if the points are a polynomial of this degree.
 double largest_detail(Filter filter, int degree) {
     constexpr std::size_t count = 64;
     std::vector<Position> points(count);

@@ -38,7 +38,7 @@ Curve half_rough(const Curve& outline) {
 double largest(const std::vector<Position>& details, bool is_rough) {
     double most = 0.0;
     const std::size_t count = details.size();
-    // Kept away from the borders of the rough area by the reach of the filter.
+    // Keeps away from the borders of the rough area by the reach of the filter.
     for (std::size_t k = 0; k < count; ++k) {
         const bool inside = 2 * k > count + 4 && 6 * k + 12 < 5 * count;
         const bool outside = 2 * k + 4 < count || (6 * k > 5 * count + 12);

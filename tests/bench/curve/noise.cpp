@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::array noises_m{1e-4, 2e-4, 3e-4};
 constexpr int coarsest = 6;
-constexpr int denoised_levels = 6;  // all, as the product does
+constexpr int denoised_levels = 6;  // all of them, as in the product
 constexpr unsigned seeds = 8;
 constexpr double degrees = 180.0 / std::numbers::pi;
 
@@ -73,7 +73,7 @@ std::string points_in_words(const Way& way) {
     return fmt::format("{}", outline_points >> static_cast<unsigned>(way.level));
 }
 
-/// The level of a method that lies nearest to the outline without noise.
+/// Returns the level of a method that is nearest to the outline without noise.
 Way nearest_level(const Sums& sums, Method method) {
     Way best{method, 0};
     for (int level = 1; level <= coarsest; ++level) {
@@ -83,7 +83,7 @@ Way nearest_level(const Sums& sums, Method method) {
     return best;
 }
 
-/// Per method: its best level and the denoised curve.
+/// Lists for each method its best level and the denoised curve.
 Table summary(const std::map<double, Sums>& by_noise) {
     Table table{{"method"}, {}};
     for (const double sigma_m : noises_m) {

@@ -1,5 +1,5 @@
-// The curves that the bench works on: polylines of equal arc length; closed ones end on the point
-// that they begin with. Threads: any.
+// The curves that the bench works on: polylines of equal arc length; closed ones end on their first
+// point. Threads: any.
 #pragma once
 
 #include "app/gallery/gallery.h"
@@ -17,26 +17,27 @@ inline constexpr std::size_t piece_segments = 128;
 
 using Curve = std::vector<Position>;
 
-/// The closed outlines of a map that are 40 mm long or more, whole.
+/// Returns the closed outlines of a map that are at least 40 mm long, whole.
 [[nodiscard]] std::vector<Curve> closed_outlines(const TactileMap& map);
 
-/// The stretches of a map between its pins, as the product cuts it, that are 20 mm long or more and
-/// bend by 1 % of it.
+/// Returns the stretches of a map between its pins, as the product cuts it, that are at least 20 mm
+/// long and bend by 1 % of that.
 [[nodiscard]] std::vector<Curve> pinned_pieces(const TactileMap& map);
 
-/// The pictures that the bench measures: the gallery's first sixteen, so that its figures stay
-/// comparable when the gallery grows.
+/// Returns the pictures that the bench measures: the gallery's first sixteen, so that its figures
+/// stay comparable when the gallery grows.
 [[nodiscard]] Result<std::vector<GalleryEntry>> measured_pictures();
 
-/// Such curves of every picture that is measured: as drawn, or as the tracer finds them in its
+/// Returns such curves of every measured picture: as drawn, or as the tracer finds them in its
 /// pixels.
 [[nodiscard]] Result<std::vector<Curve>> gallery_curves(
     bool is_traced, std::vector<Curve> (*curves_of)(const TactileMap&));
 
-/// Smooth closed curves of about 40 mm radius that are known exactly: two to five waves round.
+/// Returns smooth closed curves of about 40 mm radius that are known exactly: two to five waves
+/// round.
 [[nodiscard]] std::vector<Curve> smooth_outlines();
 
-/// With Gaussian noise of standard deviation `sigma_m` on both coordinates; the same for the same
+/// Adds Gaussian noise of standard deviation `sigma_m` to both coordinates; the same for the same
 /// seed.
 [[nodiscard]] Curve with_noise(const Curve& curve, double sigma_m, unsigned seed);
 

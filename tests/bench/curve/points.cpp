@@ -26,7 +26,7 @@ struct Row {
     }
 };
 
-/// The word before the colon of the reason that sets the picture's spacing.
+/// Returns the word before the colon of the reason that sets the picture's spacing.
 std::string reason_of(const CurveSet& curves) {
     std::string reason = "scene";
     for (const OutlineReport& report : curves.reports()) {

@@ -11,10 +11,10 @@ namespace touchline::bench {
 
 struct Folders {
     std::string results;  // CSV and pictures, kept
-    std::string work;     // NAME.md: what goes between the marks of the README; NAME.dat: to plot
+    std::string work;     // NAME.md: the text between the marks of the README; NAME.dat: to plot
 };
 
-/// Rows of cells under a header, all of the same number of cells.
+/// Rows of cells under a header, all with the same number of cells.
 struct Table {
     std::vector<std::string> header;
     std::vector<std::vector<std::string>> rows;
@@ -26,11 +26,11 @@ struct Table {
 [[nodiscard]] Result<void> write_csv(const Folders& folders, const std::string& name,
                                      const Table& table);
 
-/// The section `name` of the README, wrapped at 110 columns where it is no table.
+/// Writes the section `name` of the README, wrapped at 110 columns unless it is a table.
 [[nodiscard]] Result<void> write_words(const Folders& folders, const std::string& name,
                                        const std::string& text);
 
-/// "a", "a and b", "a, b and c".
+/// Returns "a", "a and b", "a, b and c".
 [[nodiscard]] std::string list_in_words(const std::vector<std::string>& items);
 
 }  // namespace touchline::bench

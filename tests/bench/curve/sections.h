@@ -1,4 +1,4 @@
-// The sections of the bench: each measures, writes its CSV or data to plot, and its words.
+// The sections of the bench: each measures, then writes its CSV or data to plot, and its words.
 // Threads: one.
 #pragma once
 
@@ -6,25 +6,26 @@
 
 namespace touchline::bench {
 
-/// How far coarse curves lie from real outlines, by method and level, and how wide their boxes are.
+/// Measures how far coarse curves lie from real outlines, by method and level, and how wide their
+/// boxes are.
 [[nodiscard]] Result<void> measure_errors(const Folders& folders);
 
-/// The same on curves that are known without their noise.
+/// Measures the same on curves that are known without their noise.
 [[nodiscard]] Result<void> measure_noise(const Folders& folders);
 
-/// How long the methods take.
+/// Measures how long the methods take.
 [[nodiscard]] Result<void> measure_times(const Folders& folders);
 
-/// How many points resampling keeps of the gallery's pictures.
+/// Measures how many points resampling keeps of the gallery's pictures.
 [[nodiscard]] Result<void> measure_points(const Folders& folders);
 
-/// Data of the paper's Figs. 1 to 3: coefficients and approximations.
+/// Writes the data of the paper's Figs. 1 to 3: coefficients and approximations.
 [[nodiscard]] Result<void> plot_levels(const Folders& folders);
 
-/// Data of the paper's Fig. 4: boundary sections as a handle approaches.
+/// Writes the data of the paper's Fig. 4: boundary sections as a handle approaches.
 [[nodiscard]] Result<void> plot_sections(const Folders& folders);
 
-/// The paper's Fig. 7 as a picture: curve and error boxes over the picture.
+/// Paints the paper's Fig. 7: curve and error boxes over the picture.
 [[nodiscard]] Result<void> paint_boxes(const Folders& folders);
 
 }  // namespace touchline::bench

@@ -32,7 +32,7 @@ Chord chord(const std::vector<Position>& points, std::size_t first, std::size_t 
     return made;
 }
 
-/// The points that are left, as a list, and those of least area first.
+/// The remaining points, as a list, and those of least area first.
 class Triangles {
   public:
     explicit Triangles(const std::vector<Position>& points) : points_(points) {
@@ -65,7 +65,7 @@ class Triangles {
     }
 
   private:
-    /// No area counts for less than that of a point that went before.
+    /// No area counts for less than that of a point removed before.
     void insert(std::size_t i, double least = 0.0) {
         const Position a = points_[before_[i]] - points_[i];
         const Position b = points_[after_[i]] - points_[i];

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int coarsest = 6;
 constexpr int repetitions = 101;
-constexpr int runs = 10;  // in a repetition, so that the clock's own cost does not count
+constexpr int runs = 10;  // per repetition, so that the clock's own cost does not count
 
 double median(std::vector<double> values) {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -25,7 +25,7 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
-/// From the points to the coarse ones; returns how many there are.
+/// Computes the coarse points. Returns how many there are.
 std::size_t work(Method method, const Curve& line, const Curve& closed, int level) {
     const std::size_t count = (closed.size() >> static_cast<unsigned>(level)) + 1;
     if (method == Method::douglas_peucker) return douglas_peucker(line, count).size();

@@ -17,11 +17,11 @@
 namespace touchline::bench {
 namespace {
 
-constexpr std::array approaches_m{0.02, 0.004, 0.001, 0.0001};  // handle from the outline
+constexpr std::array approaches_m{0.02, 0.004, 0.001, 0.0001};  // from handle to outline
 constexpr std::array<int, 4> box_levels{2, 3, 4, 5};
 constexpr double level_0_points = 512.0;
 
-/// The longest outline of a map alone, with about 512 points at level 0.
+/// Returns a scene of a map's longest outline alone, with about 512 points at level 0.
 Result<Scene> scene_of_longest(const TactileMap& map) {
     const auto length_m = [](const Outline& outline) { return polyline_length_m(outline.points); };
     const auto longest = std::max_element(
@@ -55,7 +55,7 @@ std::string curve_lines(const CurveSet& curves) {
     return text + "\n\n";
 }
 
-/// The point of the curve that lies farthest to the upper left.
+/// Returns the curve's point farthest to the upper left.
 Position upper_left(const CurveSet& curves) {
     Position best;
     for (int piece = 0; piece < static_cast<int>(curves.pieces().size()); ++piece) {
@@ -66,7 +66,7 @@ Position upper_left(const CurveSet& curves) {
     return best;
 }
 
-/// Over the pieces, the error boxes of one level.
+/// Paints the error boxes of one level over the pieces.
 void paint_level(cairo_t* cr, const View& view, const Scene& scene, int level) {
     const CurveSet& curves = scene.curves;
     for (int piece = 0; piece < static_cast<int>(curves.pieces().size()); ++piece) {
@@ -81,7 +81,7 @@ void paint_level(cairo_t* cr, const View& view, const Scene& scene, int level) {
     paint_outlines(cr, view, curves, level, 1.5, {white_on_black.outline});
 }
 
-/// Mean half-width of the boxes of a level (m).
+/// Returns the mean half-width of the boxes of a level (m).
 double half_width_m(const Scene& scene, int level) {
     double sum = 0.0;
     int count = 0;

@@ -1,6 +1,6 @@
-// document_bench [ROUNDS]: what each step costs from a 12-megapixel MJPEG frame, as USB cameras
-// give it, to the page, evenly lit, at a megapixel. One row a step: least and middle time over the
-// rounds.
+// document_bench [ROUNDS]: measures what each step costs from a 12-megapixel MJPEG frame, as USB
+// cameras give it, to the page, evenly lit, at a megapixel. Prints one row a step: least and median
+// time over the rounds.
 #include "config/types/steady_clock.h"
 #include "tests/vision/camera/frames.h"
 #include "tests/vision/prepare/page_photos.h"

@@ -1,7 +1,8 @@
 # shellcheck shell=bash
-# Sourced. Counting with callgrind inside the servo step, and inside the way from a picture to its lines.
+# Sourced. Counts with callgrind inside the servo step, and inside the way from a picture to its
+# lines.
 
-# count_steps DUMPS PROGRAM [PART...] [-- OPTION...]: the program's dumps, all in one new file.
+# count_steps DUMPS PROGRAM [PART...] [-- OPTION...]: writes the program's dumps into one new file.
 count_steps() {
     local dumps=$1 words=() log
     shift
@@ -9,7 +10,8 @@ count_steps() {
     [[ ${1-} != -- ]] || shift
     log=$(mktemp)
     rm -f "$dumps"
-    # A profile of the whole run would hold lines and calls; only the sums of each dump are read.
+    # A profile of the whole run would also hold lines and calls; only the sums of each dump are
+    # read.
     valgrind --tool=callgrind --instr-atstart=no --toggle-collect=touchline_servo_step \
         --toggle-collect=touchline_picture_map \
         --combine-dumps=yes --dump-line=no --dump-instr=no --callgrind-out-file="$dumps" "$@" \

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# gate.sh PROGRAM [RECORDED]: fails where a step takes over 5 % more instructions than recorded.
+# gate.sh PROGRAM [RECORDED]: fails if a step takes over 5 % more instructions than recorded.
 set -euo pipefail
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 counted=$(bash "$here/totals.sh" "${1:?usage: gate.sh PROGRAM [RECORDED]}")

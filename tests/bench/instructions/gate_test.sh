@@ -4,7 +4,7 @@ set -euo pipefail
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 faults=0
 
-# expect STATUS TEXT COUNTED: the gate's status, and what it says, against two recorded rows.
+# expect STATUS TEXT COUNTED: checks the gate's status and text against two recorded rows.
 expect() {
     local said status=0
     said=$(awk -f "$here/gate.awk" <(printf '# words\nauto 512 1000.0\n0 512 2000.0\n') - <<<"$3") || status=$?

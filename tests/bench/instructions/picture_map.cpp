@@ -1,6 +1,6 @@
-// What valgrind --tool=callgrind counts: the way from pixels to a map, once for a drawing of one
-// megapixel and once for a photo. Each dump is named after what it holds. Without valgrind the
-// requests do nothing and nothing is written.
+// The work that valgrind --tool=callgrind counts: the way from pixels to a map, once for a drawing
+// of one megapixel and once for a photo. Each dump is named after its contents. Without valgrind
+// the requests do nothing, and nothing is written.
 #include "vision/simplify/trace.h"
 
 #include <cmath>
@@ -10,7 +10,7 @@
 #include <opencv2/imgproc.hpp>
 #include <valgrind/callgrind.h>
 
-/// The counted function: neither inlined nor cloned, and its name is not mangled.
+/// The counted function: neither inlined nor cloned, with an unmangled name.
 extern "C" [[gnu::noipa]] void touchline_picture_map(const cv::Mat& picture,
                                                      touchline::TactileMap& map) {
     map = touchline::trace_outlines(picture, {.area = {}, .detail = 5}).value().map;
@@ -22,7 +22,7 @@ cv::Scalar grey(int level) {
     return cv::Scalar::all(level);
 }
 
-/// Forty shapes on paper, a little noise.
+/// Forty shapes on paper, with a little noise.
 cv::Mat drawing() {
     cv::Mat picture(866, 1154, CV_8UC3, grey(235));
     for (int i = 0; i < 40; ++i) {
@@ -37,7 +37,7 @@ cv::Mat drawing() {
     return picture;
 }
 
-/// Clouds of four sizes and twelve discs of other clouds: nearly everything changes.
+/// Clouds of four sizes and twelve discs of other clouds: nearly every pixel changes.
 cv::Mat photo() {
     cv::RNG random(7);
     const auto clouds = [&random](cv::Size size) {
@@ -64,7 +64,7 @@ cv::Mat photo() {
 
 void count(const cv::Mat& picture, const char* name) {
     touchline::TactileMap map;
-    touchline_picture_map(picture, map);  // what is built once only is not counted
+    touchline_picture_map(picture, map);  // builds once what is built only once, uncounted
     CALLGRIND_START_INSTRUMENTATION;
     CALLGRIND_ZERO_STATS;
     touchline_picture_map(picture, map);

@@ -1,5 +1,6 @@
-// What a build in float would get wrong before it computed anything: the proxies of the servo step
-// in double, rounded to float, and on which side of the line they are then. Prints Markdown.
+// What a build in float would get wrong before it computed anything. Takes the proxies of the servo
+// step in double, rounds them to float, and checks on which side of the line they are then. Prints
+// Markdown.
 #include "haptics/collision/touch.h"
 #include "tests/bench/collision/inside.h"
 #include "tests/bench/instructions/servo_steps.h"
@@ -15,8 +16,8 @@
 namespace touchline::bench {
 namespace {
 
-/// One number at a time, by a call: where GCC 12 converts two doubles to float and back at once
-/// (-ftree-slp-vectorize, on at -O2), it leaves both conversions out.
+/// Converts one number at a time, by a call. Where GCC 12 converts two doubles to float and back at
+/// once (-ftree-slp-vectorize, on at -O2), it leaves both conversions out.
 [[gnu::noinline]] double as_float(double x) {
     return static_cast<double>(static_cast<float>(x));
 }
@@ -60,7 +61,7 @@ std::size_t wrong_sides(const std::vector<Held>& held, double farther_m, const I
     }));
 }
 
-/// Corners that turn the other way, or not at all, once their points are rounded.
+/// Counts the corners that turn the other way, or not at all, once their points are rounded.
 std::size_t turned_corners(const std::vector<Position>& points,
                            const std::vector<Position>& rounded) {
     const std::size_t n = points.size();

@@ -1,5 +1,6 @@
-// What valgrind --tool=callgrind counts: the servo step over the workload's hand. Each dump is
-// named after what it holds. Without valgrind the requests do nothing and nothing is written.
+// The work that valgrind --tool=callgrind counts: the servo step over the workload's hand. Each
+// dump is named after its contents. Without valgrind the requests do nothing, and nothing is
+// written.
 #include "tests/bench/instructions/servo_steps.h"
 
 #include <algorithm>
@@ -15,7 +16,7 @@
 namespace touchline::bench {
 namespace {
 
-/// Steps from `first` on, counting switched on by the caller.
+/// Runs the steps from `first` on; the caller has switched counting on.
 void run(Servo& servo, const std::vector<Position>& hand, std::size_t first, std::size_t end) {
     for (std::size_t i = first; i < end; ++i) {
         touchline_servo_step(servo, hand[i]);
@@ -23,13 +24,13 @@ void run(Servo& servo, const std::vector<Position>& hand, std::size_t first, std
     }
 }
 
-/// Writes what was counted since the last dump. The request keeps the name's address only.
+/// Writes what was counted since the last dump. The request keeps only the name's address.
 void dump(LevelChoice choice, std::size_t edges, std::size_t number) {
     const std::string name = fmt::format("{} {} {}", name_of(choice), edges, number);
     CALLGRIND_DUMP_STATS_AT(name.c_str());
 }
 
-/// One dump for all counted steps of a row, with their number: "auto 512 20000".
+/// Writes one dump for all counted steps of a row, with their number: "auto 512 20000".
 void count_row(const Scene& scene, LevelChoice choice, std::size_t edges,
                const std::vector<Position>& hand) {
     Servo servo = start(scene, choice, hand[0]);
@@ -41,7 +42,7 @@ void count_row(const Scene& scene, LevelChoice choice, std::size_t edges,
     CALLGRIND_STOP_INSTRUMENTATION;
 }
 
-/// A dump for each counted step: "auto 512 2000".
+/// Writes a dump for each counted step: "auto 512 2000".
 void count_each(const Scene& scene, LevelChoice choice, std::size_t edges,
                 const std::vector<Position>& hand) {
     Servo servo = start(scene, choice, hand[0]);
@@ -55,7 +56,7 @@ void count_each(const Scene& scene, LevelChoice choice, std::size_t edges,
     CALLGRIND_STOP_INSTRUMENTATION;
 }
 
-/// A dump for each of some steps, the simulated caches emptied before it: switching callgrind on
+/// Writes a dump for each of some steps, with empty simulated caches: switching callgrind on
 /// empties them.
 void count_cold(const Scene& scene, LevelChoice choice, std::size_t edges,
                 const std::vector<Position>& hand, const std::vector<std::size_t>& chosen) {
@@ -72,7 +73,7 @@ void count_cold(const Scene& scene, LevelChoice choice, std::size_t edges,
     }
 }
 
-/// Step numbers from stdin, rising, each within the hand.
+/// Reads step numbers from stdin, rising, each within the hand.
 std::vector<std::size_t> chosen_steps() {
     std::vector<std::size_t> chosen;
     for (std::size_t i = 0; std::cin >> i;) chosen.push_back(i);

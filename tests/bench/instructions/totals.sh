@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# totals.sh PROGRAM: mean instructions of a servo step, "auto 512 898.8" a row, as recorded.txt holds them; or those of a
-# picture, "drawing 1MP 898.0" a row, as recorded_map.txt does.
+# totals.sh PROGRAM: prints the mean instructions of a servo step, "auto 512 898.8" a row, as in
+# recorded.txt; or those of a picture, "drawing 1MP 898.0" a row, as in recorded_map.txt.
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/callgrind.sh"
 

@@ -1,6 +1,6 @@
-// How soon the kiosk answers, in real time, with all its parts but window and sound card: the
+// How soon the kiosk answers, in real time, with all its parts except window and sound card. The
 // device here asks for a block of 128 frames when a card would, two blocks ahead, and notes when
-// the first that is not silent was rendered. What the card adds is its own.
+// the first audible one was rendered. What the card adds is not measured.
 #include "app/kiosk/kiosk.h"
 #include "app/loading/kiosk_stages.h"
 #include "app/loading/thread_executor.h"
@@ -62,7 +62,7 @@ class PacedDevice final : public SoundDevice {
     [[nodiscard]] bool is_gone() const override { return false; }
 
   private:
-    /// The first since somebody set it to zero.
+    /// Notes only the first since somebody set it to zero.
     void note() {
         std::int64_t none = 0;
         heard_ns_->compare_exchange_strong(none, steady_now_ns());
@@ -106,7 +106,7 @@ class RealKiosk {
         wait_until([end_ns] { return steady_now_ns() >= end_ns; });
     }
 
-    /// Frames go on meanwhile. False: it took too long.
+    /// Frames go on meanwhile. Returns false if it took too long.
     template <class Condition>
     bool wait_until(const Condition& is_so) {
         const std::int64_t begin_ns = steady_now_ns();
@@ -127,7 +127,7 @@ class RealKiosk {
         run_for(150'000'000);
     }
 
-    /// From a key to the first frame that is not silent.
+    /// Returns the time from a key to the first audible frame.
     double heard_after_ms(KeyRole role) {
         (void)wait_for_silence();
         heard_ns_->store(0);
@@ -137,7 +137,7 @@ class RealKiosk {
         return 1e-6 * static_cast<double>(heard_ns_->load() - pressed_ns);
     }
 
-    /// From a key to the first tick that feels another picture than before.
+    /// Returns the time from a key to the first tick that feels another picture than before.
     double felt_after_ms(KeyRole role) {
         const std::uint64_t before = servo_->latest().map_version;
         const std::int64_t pressed_ns = steady_now_ns();
@@ -167,8 +167,8 @@ class RealKiosk {
 
     std::shared_ptr<std::atomic<std::int64_t>> heard_ns_ =
         std::make_shared<std::atomic<std::int64_t>>(0);
-    ServoThread* servo_ = nullptr;  // the kiosk's
-    Sound* sound_ = nullptr;        // likewise
+    ServoThread* servo_ = nullptr;  // owned by the kiosk
+    Sound* sound_ = nullptr;        // owned by the kiosk
     std::unique_ptr<Kiosk> kiosk_;
 };
 
@@ -199,7 +199,7 @@ void measure() {
         kiosk.press(KeyRole::down);
         felt_ms.push_back(kiosk.felt_after_ms(KeyRole::select));
         kiosk.run_for(200'000'000);
-        kiosk.press(KeyRole::back);  // to the choices
+        kiosk.press(KeyRole::back);  // back to the choices
         while (kiosk.kiosk().screen().focus != std::optional<std::size_t>(2))
             kiosk.press(KeyRole::down);
         kiosk.press(KeyRole::select);

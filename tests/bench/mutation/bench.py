@@ -23,7 +23,7 @@ SINGLES = 5
 DOES_NOT_COMPILE = 2  # as in switches.h
 MOST_MEMORY = 4 << 30  # a mutant may grow without end
 
-# The test programs of a folder; beside some stand programs that they start.
+# The test programs of a folder; beside some are the programs that they start.
 PROGRAMS = {
     'safety': ('haptics/safety', ['safety_test']),
     'sandbox': ('app/sandbox', ['sandbox_policy_test', 'worker_test', 'stick_fence_test', 'sandbox_test']),
@@ -121,7 +121,7 @@ class Switched:
         self.build()
         self.names = set().union(*(s.switched() for s in self.sources.values()))
         print(f'{bench.folder}: {len(self.names)} of {len(all_mutants)} mutants in one build', flush=True)
-        self.seconds, self.work_s, self.states = {}, {}, {}  # of each case, (program, its name)
+        self.seconds, self.work_s, self.states = {}, {}, {}  # per case, (program, its name)
         self.kills = collections.Counter()
         self.watch()
 
@@ -131,7 +131,7 @@ class Switched:
         runtime = [*next(iter(commands.values()))]
         runtime[runtime.index('-c') + 1] = str(HERE / 'switches.cpp')
         objects = {o: self.bench.work / f'{i}.o' for i, o in enumerate(commands)}
-        made, left = set(), [o for o in commands if not o.startswith('tests/')]  # first what is soon compiled
+        made, left = set(), [o for o in commands if not o.startswith('tests/')]  # compiles the quick ones first
         while left:
             for path, source in self.sources.items():
                 (self.tree / path).parent.mkdir(parents=True, exist_ok=True)
@@ -189,7 +189,8 @@ class Switched:
             return (self.kills[mutant.path, at] + 0.1) / (self.work_s[at] + 0.01)
 
         order = sorted((at for at in reaching if least_s <= self.work_s[at] < most_s), key=worth, reverse=True)
-        # The most promising by themselves, the others together: to start a program costs more than a small case.
+        # The most promising run alone, the others together: starting a program costs more than a
+        # small case.
         together = [[at for at in order[SINGLES:] if at[0] == program] for program in self.bench.names]
         for some in [*([at] for at in order[:SINGLES]), *filter(None, together)]:
             program, cases = some[0][0], [case for _, case in some]

@@ -4,7 +4,7 @@ import shlex
 import subprocess
 from pathlib import Path
 
-SILENT = ['-g0', '-w', '-Wno-narrowing']  # warnings are not what is asked here
+SILENT = ['-g0', '-w', '-Wno-narrowing']  # warnings do not matter here
 
 
 def said_by_ninja(build, *words):

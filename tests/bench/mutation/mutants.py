@@ -7,7 +7,7 @@ import hashlib
 import re
 from dataclasses import dataclass
 
-# What stands in the source, and what takes its place. One mutant for each pair at each place.
+# Each text in the source, and its replacements. One mutant for each pair at each place.
 SWAPS = [
     ('relation', '<', '<='), ('relation', '<=', '<'), ('relation', '>', '>='), ('relation', '>=', '>'),
     ('equality', '==', '!='), ('equality', '!=', '=='),
@@ -28,14 +28,14 @@ DECLARATION = re.compile(r'[A-Za-z_][\w:]*(?:<[^;=()]*>)?[&*]* [A-Za-z_]\w*(?: =
 
 @dataclass(frozen=True)
 class Mutant:
-    path: str      # from the root
-    line: int      # 1 is the first
+    path: str      # from the root of the tree
+    line: int      # counted from 1
     operator: str
-    begin: int     # in the text of the file
+    begin: int     # offset in the file's text
     end: int
-    before: str    # that part, on one line
-    after: str     # what takes its place
-    name: str      # the same as long as the line is
+    before: str    # the original part, on one line
+    after: str     # its replacement
+    name: str      # the same as long as the line is the same
 
 
 def masked(text):
@@ -78,7 +78,7 @@ def statements_and_functions(code):
     while i < len(code):
         sign = code[i]
         if sign == '(':
-            # Bodies of lambdas are walked too: only the round brackets' own content is passed over.
+            # Walks the bodies of lambdas too: passes over only the content of the round brackets.
             end = closing(code, i)
             inner = re.search(r'\]\s*(?:\([^()]*\))?[^(){};]*\{', code[i:end])
             if not inner:

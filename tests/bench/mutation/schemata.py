@@ -9,14 +9,14 @@ from dataclasses import dataclass
 
 import mutants
 
-# What an operator becomes: the sign on both sides of an object of this name.
+# The replacement of an operator: the sign on both sides of an object of this name.
 OBJECTS = {
     '<': ('<', 'Less', '>'), '<=': ('<', 'LessOrEqual', '>'), '>': ('<', 'Greater', '>'), '>=': ('<', 'GreaterOrEqual', '>'),
     '==': ('==', 'Equal', '=='), '!=': ('==', 'Unequal', '=='), '+': ('+', 'Plus', '+'), '-': ('+', 'Minus', '+'),
     '*': ('*', 'Times', '*'), '/': ('*', 'Over', '*'), '+=': ('+=', 'Add', '+='), '-=': ('-=', 'Subtract', '-='),
     '*=': ('*=', 'Multiply', '*='), '/=': ('/=', 'Divide', '/='),
 }
-# Where what && and || join ends: every operator that binds less, and every bracket around.
+# The end of what && and || join: every operator that binds less, and every enclosing bracket.
 LOOSER = re.compile(r'[;,?}]| : | [-+*/|&^%]?= |\breturn\b|&&|\|\|')
 OPEN, CLOSE = '([{', ')]}'
 
@@ -157,7 +157,7 @@ class Schemata:
                 gone |= {e for e in self.edits if begin <= e.begin < end}
         begin = sum(len(one) + 1 for one in self.text.split('\n')[:line - 1])
         brace = self.code.find('{', begin)
-        if not gone and re.match(r' *(?:struct|class) [^;]*$', self.code[begin:brace]):  # its members begin as constants
+        if not gone and re.match(r' *(?:struct|class) [^;]*$', self.code[begin:brace]):  # its members start as constants
             end = mutants.closing(self.code, brace, '{}')
             gone = {e for e in self.edits if begin <= e.begin < end and e.depth == 2}
         self.edits = [e for e in self.edits if e not in gone]
@@ -168,7 +168,8 @@ class Schemata:
         return {name for e in self.edits for name in e.names}
 
     def __str__(self):
-        # At one place: what ends there, the inner before the outer, and then what begins, the outer before the inner.
+        # At one place: what ends there, inner before outer, and then what begins, outer before
+        # inner.
         put, gone = [], {}
         for rank, e in enumerate(sorted(self.edits, key=lambda e: e.depth)):
             long = e.end - e.begin

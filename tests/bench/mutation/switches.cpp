@@ -12,8 +12,8 @@ namespace {
 
 unsigned char unwatched[1U << 16U];
 
-/// Before all else, for constants that are made at the start are changed too. What was reached is
-/// told in a file that the programs which a test starts write as well, however they end.
+/// Runs before all else, because constants made at the start are changed too. Tells what was
+/// reached in a file, which the programs that a test starts write as well, however they end.
 [[gnu::constructor(101)]] void begin() {
     if (const char* chosen = std::getenv("TOUCHLINE_MUTANT")) active = std::atoi(chosen);
     const char* told = std::getenv("TOUCHLINE_MUTANTS_REACHED");

@@ -1,9 +1,9 @@
-// What takes the place of an operator, a number or a condition, so that its mutant can be chosen
-// while the program runs: one build for all mutants of a folder. Included before every source that
-// is made with mutants; schemata.py writes the uses.
+// Replaces an operator, a number or a condition so that its mutant can be chosen while the program
+// runs: one build for all mutants of a folder. Included before every source that is made with
+// mutants; schemata.py writes the uses.
 //
 // A binary operator becomes two with an object between: `a < b` is written `a <Less{17}> b`. Both
-// have the precedence of the one that stood there, so that no operand need be found.
+// have the precedence of the original, so that nothing has to find the operands.
 #pragma once
 
 #include <initializer_list>
@@ -15,9 +15,9 @@ namespace mutation {
 inline constexpr unsigned char reached = 1;
 inline constexpr unsigned char does_not_compile = 2;
 
-inline constexpr int none = -1;  // mutant 0 is no mutant: that a number has none for 0 or 1
+inline constexpr int none = -1;  // not 0, which means that a number has no mutant for 0 or 1
 
-extern int active;             // the mutant that is chosen
+extern int active;             // the chosen mutant
 extern unsigned char* states;  // of all mutants: reached or not
 
 inline bool on(int mutant) {
@@ -35,8 +35,8 @@ inline bool truth(int mutant, bool value) {
     return on(mutant) != value;
 }
 
-/// `a && b && c`, or with `||` where `is_any`; the mutant between two operands joins them the other
-/// way, && binding tighter as in the text.
+/// Evaluates `a && b && c`, or with `||` if `is_any`; the mutant between two operands joins them
+/// the other way, with && binding tighter as in the text.
 template <bool is_any, int... mutants, class... Operands>
 bool chain(const Operands&... operands) {
     constexpr int between[] = {0, mutants...};
@@ -74,7 +74,7 @@ bool chain(const Operands&... operands) {
         TOUCHLINE_EITHER(Left, at.left, at.mutant, real, changed)                 \
     }
 
-// Assignment binds from the right: the object takes its right side first.
+// Assignment binds from the right, so the object takes its right side first.
 #define TOUCHLINE_ASSIGNMENT(Name, real, changed)               \
     struct Name {                                               \
         int mutant;                                             \

@@ -1,6 +1,9 @@
-// Files of others, opened by our workers and shown by ImageMagick, rsvg-convert or pdftoppm:
+// Compares files from elsewhere, opened by our workers and shown by ImageMagick, rsvg-convert or
+// pdftoppm:
 //
-//   opening_compare FILE...      a line each, and a count; exit status 1 where one differs too much
+//   opening_compare FILE...
+//
+// Prints a line for each and a count. The exit status is 1 if one differs too much.
 #include "app/decode/opening.h"
 #include "tests/app/decode/reference.h"
 

@@ -41,7 +41,7 @@ class Stage {
     std::vector<double> times_ms_;
 };
 
-/// What a worker takes that finds nothing to do.
+/// Returns what a worker takes that finds nothing to do.
 std::string start_of(int runs) {
     Stage start;
     const std::vector<std::byte> nothing(1);
@@ -49,8 +49,9 @@ std::string start_of(int runs) {
     return start.words();
 }
 
-/// What the kernel takes to give a process a page that it has not touched before. A worker is all
-/// fresh pages, so its times follow this figure, which differs much from machine to machine.
+/// Returns what the kernel takes to give a process a page that it has not touched before. All pages
+/// of a worker are fresh, so its times follow this figure, which differs much from machine to
+/// machine.
 double fresh_page_us() {
     constexpr std::size_t pages = 4096;
     constexpr std::size_t page_bytes = 4096;
@@ -66,7 +67,7 @@ double fresh_page_us() {
     return 1e-3 * static_cast<double>(took_ns) / static_cast<double>(pages);
 }
 
-/// What finding lines takes without a worker: what a worker costs is the difference.
+/// Finds lines without a worker: the difference is what a worker costs.
 Result<Trace> traced_here(const Picture& picture) {
     const cv::Mat bgr(picture.height, picture.width, CV_8UC3,
                       const_cast<std::uint8_t*>(picture.bgr.data()));

@@ -13,7 +13,7 @@ namespace touchline::bench {
 namespace {
 
 constexpr double shape_radius_m = 5e-3;
-constexpr int measured_edges = 64;  // of the shape that the bars are for
+constexpr int measured_edges = 64;  // of the shape that the bars show
 constexpr std::size_t measured_scene = 65536;
 
 Scene scene_of(workload::Kind kind, std::size_t edges) {
@@ -26,7 +26,7 @@ std::string times_of_shape(const TurningRun& run) {
                        times.p99_ns, times.max_ns, run.slip_offs, run.boxes_max);
 }
 
-/// The same hand without a shape and without its angle.
+/// Times the same hand without a shape and without its angle.
 template <class Renderer>
 std::string times_of_point(Renderer renderer, workload::Kind kind, const BenchOptions& options) {
     const std::vector<Position> places = workload::hand(kind, options.steps);
@@ -64,8 +64,8 @@ void run_steps(const BenchOptions& options) {
     }
 }
 
-/// Metres between the shape's places in two runs, until one slips off: after that they are on
-/// different sides of the curve for good. Ascending.
+/// Returns the metres between the shape's places in two runs, ascending, until one slips off: after
+/// that they are on different sides of the curve for good.
 std::vector<double> apart_m(const TurningRun& run, const TurningRun& reference) {
     std::vector<double> found;
     const std::size_t end = std::min({run.first_slip, reference.first_slip, run.proxies.size()});

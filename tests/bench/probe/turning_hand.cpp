@@ -13,7 +13,7 @@ constexpr double step_s = 1e-3;
 
 constexpr double clear_of_curve_m = 0.08;  // from the middle: both curves end before 60 mm
 
-/// Clear of the curve, the way the hand is.
+/// Returns a pose clear of the curve, in the direction of the hand.
 ProbePose taken_up(const ProbePose& hand) {
     const double share = clear_of_curve_m / std::hypot(hand.x_m, hand.y_m);
     return {hand.x_m * share, hand.y_m * share, hand.angle_rad};

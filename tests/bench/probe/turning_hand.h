@@ -14,11 +14,11 @@
 
 namespace touchline::bench {
 
-/// The hand of the peer workload, turning to and fro by up to a quarter of a turn, 3.2 rad/s at
-/// most.
+/// Returns the hand of the peer workload, turning to and fro by up to a quarter of a turn, at most
+/// 3.2 rad/s.
 [[nodiscard]] std::vector<ProbePose> turning_hand(workload::Kind kind, std::size_t steps);
 
-/// A regular polygon round the hand.
+/// Returns a regular polygon round the hand.
 [[nodiscard]] ProbeShape regular_shape(double radius_m, int edges);
 
 struct TurningRun {
@@ -30,9 +30,9 @@ struct TurningRun {
     std::size_t boxes_max = 0;
 };
 
-/// The shape over the hand, at a level or, without one, at that by speed. A hand more than slip_m
-/// from its shape has slipped off: the shape is set on again from outside the curve, untimed until
-/// it is at the hand.
+/// Runs the shape over the hand, at a level or, without one, at the level that its speed sets. A
+/// hand more than slip_m from its shape has slipped off: the shape starts again from outside the
+/// curve, untimed until it is at the hand.
 [[nodiscard]] TurningRun run_shape(const Scene& scene, const ProbeShape& shape,
                                    const std::vector<ProbePose>& hand, std::optional<double> level,
                                    int passes);

@@ -93,7 +93,7 @@ def faults():
         cells = [cell.strip() for cell in line.strip('|').split('|')]
         if line.startswith('|') and cells[0] in OF_WAY:
             found.append(cells[:6])
-    # A page without faults would tell that none is listed, as if none had been looked for.
+    # A page without faults would say that none is listed, as if nobody had looked.
     if not found:
         raise SystemExit(f'{FAULTS} lists no fault: tests/sim/faults writes it')
     return found

@@ -72,7 +72,8 @@ def fuzzing(seconds):
     how = f'tests/fuzz/run NAME {seconds}: libFuzzer with the address and undefined-behaviour sanitizers'
     rows = [(10, f'inputs tried: {name}', f'{count}', '>= 1000000', count >= 1_000_000, how)
             for name, count in sorted(executed.items()) if name != 'picture']
-    # Tracing takes a second under the sanitizers: this target has a bar of its own, which another command reaches.
+    # Tracing takes a second under the sanitizers, so this target has its own bar, which another
+    # command reaches.
     if 'picture' in executed:
         rows.append((10, 'inputs tried: picture', f'{executed["picture"]}', '-', None,
                      f'{how}; 50000 are tried by TOUCHLINE_EXHAUSTIVE=1 random_pictures_test, built with both sanitizers'))
@@ -195,7 +196,7 @@ def exclusions():
 PARTS = {'coverage': coverage, 'hazards': hazard_rows, 'instructions': instructions, 'workers': workers,
          'stages': stages, 'machines': machines, 'sanitizers': sanitizers, 'exclusions': exclusions}
 if sys.argv[1] == 'pattern':
-    # For ctest, whose expressions know no \w.
+    # For ctest, whose expressions have no \w.
     print('^([A-Za-z0-9_]+/)?(' + '|'.join(re.escape(name) for name in hazards.names()) + ')(/|$)')
 elif sys.argv[1] == 'fuzzing':
     fuzzing(sys.argv[2])

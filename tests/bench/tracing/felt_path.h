@@ -1,4 +1,4 @@
-// What a follower remembers of where it has felt a line: cells of a millimetre and how far it had
+// What a follower remembers of where it has felt a line: cells of a millimetre, and how far it had
 // followed lines by then. Threads: a plain value.
 #pragma once
 
@@ -14,13 +14,13 @@ namespace touchline::bench {
 
 class FeltPath {
   public:
-    /// A line was felt at p, after `followed_m` of following in all.
+    /// Remembers a line felt at p, after `followed_m` of following in all.
     void add(Position p, double followed_m) {
         double& first_m = cells_[index(cell(p.x), cell(p.y))];
         first_m = std::min(first_m, followed_m);
     }
 
-    /// Felt within `reach_m` of p, after no more than `followed_m` of following.
+    /// Whether a line was felt within `reach_m` of p, after at most `followed_m` of following.
     [[nodiscard]] bool is_known(Position p, double reach_m, double followed_m) const {
         const int reach = static_cast<int>(std::ceil(reach_m / cell_m));
         for (int dx = -reach; dx <= reach; ++dx) {

@@ -12,18 +12,18 @@ constexpr double sweep_m_per_s = 0.2;
 constexpr double follow_m_per_s = 0.05;
 constexpr double probe_m_per_s = 0.05;
 constexpr double settle_m_per_s = 0.03;
-constexpr double leash_m = 0.002;     // the hand means to be ahead of the handle by no more
-constexpr double yield_s = 0.02;      // it gives way across its direction
-constexpr double turn_per_Ns = 40.0;  // towards the force across it
-constexpr double line_N = 0.1;        // more is a line's
-constexpr double held_N = 0.12;       // against the way: it does not go on here
+constexpr double leash_m = 0.002;     // the hand aims at most this far ahead of the handle
+constexpr double yield_s = 0.02;      // to give way across its direction
+constexpr double turn_per_Ns = 40.0;  // turns towards the force across its way
+constexpr double line_N = 0.1;        // a greater force is a line's
+constexpr double held_N = 0.12;       // against the way: the line does not go on here
 constexpr double held_long_s = 0.02;
-constexpr double still_N = 0.04;   // less, and it is on the line
+constexpr double still_N = 0.04;   // below this it is on the line
 constexpr double probe_m = 0.002;  // radius
 constexpr double branch_N = 0.17;  // at most, where a line crosses the circle
 constexpr double known_reach_m = 0.0015;
 constexpr double near_known_m = 0.0035;
-constexpr double recent_m = 0.012;  // followed lately is no news
+constexpr double recent_m = 0.012;  // a line followed lately is nothing new
 constexpr double known_enough_m = 0.005;
 constexpr double same_place_m = 0.0015;
 constexpr double all_m = 1e9;
@@ -95,7 +95,7 @@ void GrooveFollower::begin_settling() {
     waited_s_ = 0.0;
 }
 
-/// Gives in to the force until there is none.
+/// Yields to the force until there is none.
 void GrooveFollower::settle(const Touched& touched, double dt_s) {
     constexpr double longest_s = 0.4;
     constexpr double shortest_s = 0.06;
@@ -109,7 +109,7 @@ void GrooveFollower::settle(const Touched& touched, double dt_s) {
     if (is_still || waited_s_ > longest_s) begin_probe(touched.handle);
 }
 
-/// More than twice at one place would tell no more.
+/// Probes at most twice in one place, because more would tell nothing new.
 void GrooveFollower::begin_probe(Position around) {
     const auto here = std::count_if(probed_.begin(), probed_.end(),
                                     [&](Position p) { return norm(p - around) < same_place_m; });
@@ -119,7 +119,7 @@ void GrooveFollower::begin_probe(Position around) {
     centre_ = around;
     samples_.clear();
     turned_ = 0.0;
-    // From behind, so that what lies ahead is felt in one go.
+    // Starts from behind, so that it feels what lies ahead in one sweep.
     turn_from_ = std::atan2(-ahead_.y, -ahead_.x);
 }
 
@@ -128,7 +128,7 @@ void GrooveFollower::probe(const Touched& touched, double dt_s) {
     turned_ += probe_m_per_s / probe_m * dt_s;
     const double angle = turn_from_ + turned_;
     const Direction out{std::cos(angle), std::sin(angle)};
-    // As far out as it takes for the handle, which the groove holds back, to be on the circle.
+    // Aims so far out that the handle, which the groove holds back, is on the circle.
     const Position at = touched.handle - centre_;
     const double short_m = probe_m - norm(at);
     meant_ = centre_ + along<Position>(out, probe_m + std::clamp(short_m, -0.001, 0.001));
@@ -136,7 +136,7 @@ void GrooveFollower::probe(const Touched& touched, double dt_s) {
     if (turned_ > whole) choose_branch();
 }
 
-/// Where the force along the circle changes from onwards to backwards, a line leaves it.
+/// A line leaves the circle where the force along it changes from onwards to backwards.
 std::vector<Direction> GrooveFollower::branches() const {
     constexpr double apart = 0.35;
     constexpr std::size_t smooth = 8;
@@ -171,7 +171,7 @@ bool GrooveFollower::is_worth(const Branch& branch) const {
 
 void GrooveFollower::choose_branch() {
     const std::vector<Direction> found = branches();
-    // The straightest first; what it came by is known.
+    // Takes the straightest first; it knows the one that it came by.
     std::vector<Branch> good;
     for (const Direction d : found) {
         const Branch branch{centre_, d};
@@ -207,7 +207,7 @@ void GrooveFollower::travel(const Touched& touched, double dt_s) {
     take(*next_);
 }
 
-/// It has lost the line: back to where it last was.
+/// Has lost the line, so goes back to where it last was.
 void GrooveFollower::probe_again_at(Position around) {
     next_ = Branch{around, ahead_};
     probes_there_ = true;
@@ -242,7 +242,7 @@ void GrooveFollower::follow(const Touched& touched, double dt_s) {
                           felt_.is_known(touched.handle, known_reach_m, followed_m_ - recent_m);
     known_m_ = is_known ? known_m_ + way_m : 0.0;
     felt_.add(touched.handle, followed_m_);
-    // Without any force at all there is no line.
+    // There is no line without any force at all.
     constexpr double no_line_m = 0.008;
     constexpr double no_line_N = 0.005;
     const bool is_felt = norm(touched.force) > no_line_N;

@@ -14,24 +14,23 @@
 
 namespace touchline::bench {
 
-/// What it goes by.
+/// What the follower senses.
 struct Touched {
     Position handle;
     Force force;  // on the hand
 };
 
-/// Follows a groove. It goes on in the direction in which it went, turns with the force across its
-/// way, and where the force holds it back it feels its way around in a small circle for where the
-/// line goes on; at an end it turns to what it has left out, and then sweeps for what it has not
-/// felt yet.
+/// Follows a groove. Goes on in its last direction and turns with the force across its way. Where
+/// the force holds it back it feels around in a small circle for where the line goes on. At an end
+/// it turns to what it has left out, and then sweeps for what it has not felt yet.
 class GrooveFollower {
   public:
     GrooveFollower(const Area& area, Position start);
 
-    /// One tick of dt_s > 0: where the hand means to be.
+    /// Does one tick of dt_s > 0. Returns where the hand means to be.
     [[nodiscard]] Intention step(const Touched& touched, double dt_s);
 
-    /// In its last step it took it that it is on a line.
+    /// Whether it believed in its last step that it was on a line.
     [[nodiscard]] bool is_on_line() const { return doing_ == Doing::follow; }
 
     [[nodiscard]] bool is_done() const { return doing_ == Doing::done; }
@@ -39,13 +38,13 @@ class GrooveFollower {
   private:
     enum class Doing : std::uint8_t { sweep, settle, probe, follow, travel, done };
 
-    /// A way along a line that is left to go.
+    /// A way along a line that is still to be followed.
     struct Branch {
         Position from;
         Direction along;
     };
 
-    /// What a circle felt like.
+    /// What the hand felt on a circle.
     struct Sample {
         double angle = 0.0;
         Force force;
@@ -77,13 +76,13 @@ class GrooveFollower {
     std::optional<Branch> next_;
     bool probes_there_ = false;  // at the end of its travel
     double followed_m_ = 0.0;
-    double known_m_ = 0.0;  // of the way along what it knows already
-    double begun_m_ = 0.0;  // followed when the branch was begun
-    double slack_m_ = 0.0;  // of the way without any force of a line
+    double known_m_ = 0.0;  // of the way, along what it knows already
+    double begun_m_ = 0.0;  // followed when the branch began
+    double slack_m_ = 0.0;  // of the way, without any force of a line
     double held_s_ = 0.0;
     double waited_s_ = 0.0;
     Position last_;
-    Position touched_;  // the line last
+    Position touched_;  // where it last touched the line
     std::vector<Position> probed_;
     Position centre_;  // of the circle
     double turned_ = 0.0;

@@ -10,7 +10,7 @@
 namespace touchline::bench {
 namespace {
 
-/// Anywhere, and not too near the edge.
+/// Returns a place anywhere, but not too near the edge.
 Position start_in(const Area& area, unsigned seed) {
     std::mt19937 random(seed);
     const auto share = [&] { return 0.9 * (static_cast<double>(random()) / 4294967296.0 - 0.5); };

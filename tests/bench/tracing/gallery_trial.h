@@ -1,5 +1,5 @@
-// Every picture of the gallery as a trial: trace it in time, and let the path say which it was.
-// Threads: plain values and pure functions but for the files read.
+// Every picture of the gallery as a trial: trace it in time, and identify it by the path.
+// Threads: plain values and pure functions, except for the files read.
 #pragma once
 
 #include "config/types/result.h"
@@ -28,7 +28,7 @@ inline constexpr std::array<std::pair<Tracing, const char*>, 4> tracings{
      {Tracing::tour, "tour"}}};
 
 struct Trial {
-    std::string name;  // of the file, without its ending
+    std::string name;  // the file's, without its extension
     std::shared_ptr<const Scene> scene;
     double length_m = 0.0;
     double limit_s = 0.0;  // 3 * length / 40 mm/s
@@ -37,8 +37,8 @@ struct Trial {
 
 struct Gallery {
     std::vector<Trial> trials;
-    std::vector<std::vector<Position>> on_outlines;  // of each
-    std::vector<DistanceField> fields;               // of each
+    std::vector<std::vector<Position>> on_outlines;  // of each picture
+    std::vector<DistanceField> fields;               // of each picture
 };
 
 [[nodiscard]] Result<Gallery> read_trials(const std::string& folder);

@@ -1,4 +1,4 @@
-// Traces every picture of a gallery: a table of numbers, and the paths for the chart.
+// Traces every picture of a gallery. Writes a table of numbers, and the paths for the chart.
 #include "app/decode/map_svg.h"
 #include "app/gallery/gallery.h"
 #include "app/servo/scene_order.h"

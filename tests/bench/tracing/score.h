@@ -11,13 +11,12 @@
 
 namespace touchline::bench {
 
-/// Places every half millimetre along all outlines.
+/// Returns places every half millimetre along all outlines.
 [[nodiscard]] std::vector<Position> places_on(const TactileMap& map);
 
 [[nodiscard]] double length_of(const TactileMap& map);
 
-/// The distance from every place to the nearest of a set of places, up
-/// to 10 mm, which also stands for all that is further.
+/// The distance from every place to the nearest of a set of places, capped at 10 mm.
 class DistanceField {
   public:
     /// O(places * 400).
@@ -40,8 +39,8 @@ struct Score {
 [[nodiscard]] Score score(const DistanceField& outlines, std::span<const Position> on_outlines,
                           std::span<const Position> path);
 
-/// Which of the pictures the path is most like: the least mean distance, both ways, up to 10 mm
-/// each. -1: there is no path.
+/// Returns which of the pictures the path is most like: the least mean distance, both ways, capped
+/// at 10 mm each; -1 if there is no path.
 [[nodiscard]] int most_like(std::span<const DistanceField> pictures,
                             std::span<const std::vector<Position>> on_outlines,
                             std::span<const Position> path);

@@ -1,4 +1,4 @@
-// A systematic search: to and fro across the drawing area, every fourth row first, then those
+// A systematic search to and fro across the drawing area: every fourth row first, then those
 // between. Threads: a plain value.
 #pragma once
 
@@ -35,7 +35,7 @@ class Sweep {
         }
     }
 
-    /// Not where the frame of the drawing area is felt.
+    /// False where the hand feels the frame of the drawing area.
     [[nodiscard]] bool is_inside(Position p) const {
         constexpr double edge_m = 2e-4;
         return std::abs(p.x) < half_x_m_ - edge_m && std::abs(p.y) < half_y_m_ - edge_m;
@@ -43,7 +43,7 @@ class Sweep {
 
     [[nodiscard]] bool is_over() const { return next_ == ends_.size(); }
 
-    /// Where it goes now. Precondition: not over.
+    /// Returns where it goes now. Precondition: not over.
     [[nodiscard]] Position goal() const { return ends_[next_]; }
 
     void arrive() { ++next_; }
@@ -51,7 +51,7 @@ class Sweep {
   private:
     double half_x_m_;
     double half_y_m_;
-    std::vector<Position> ends_;  // of the rows, from one to the next
+    std::vector<Position> ends_;  // the rows' ends, from one to the next
     std::size_t next_ = 0;
 };
 

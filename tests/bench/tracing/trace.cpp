@@ -12,11 +12,11 @@ namespace touchline::bench {
 namespace {
 
 constexpr double period_s = 1e-3;
-constexpr double getting_ready_s = 1.0;  // force comes on
+constexpr double getting_ready_s = 1.0;  // for the force to come on
 constexpr int ticks_per_place = 2;
 constexpr int ticks_per_way = 10;
 
-/// Means what it was last told. Threads: one.
+/// Goes where it was last told. Threads: one.
 class LedHand final : public IntendedPath {
   public:
     explicit LedHand(Position start) : now_{start, {}} {}

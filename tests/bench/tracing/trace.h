@@ -12,11 +12,11 @@
 
 namespace touchline::bench {
 
-/// forces_off: the groove's follower, and nothing to feel. tour: the hand lets itself be led.
+/// forces_off: the groove's follower with nothing to feel. tour: the hand lets itself be led.
 enum class Tracing : std::uint8_t { groove, forces_off, wall, tour };
 
 struct Traced {
-    /// The handle every 2 ms while the follower takes it that it is on a line; of a tour, while it
+    /// The handle every 2 ms while the follower believes that it is on a line; for a tour, while it
     /// leads along one.
     std::vector<Position> path;
     std::vector<Position> way;  // the handle every 10 ms, all of it
@@ -24,7 +24,8 @@ struct Traced {
     double most_N = 0.0;
 };
 
-/// From the moment that force is live until the limit. `scene` must have a version that is not 0.
+/// Runs from the moment that force is live until the limit. `scene` must have a version other than
+/// 0.
 [[nodiscard]] Traced trace(const Scene& scene, Tracing tracing, Position start, double limit_s);
 
 }  // namespace touchline::bench

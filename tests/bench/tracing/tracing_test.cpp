@@ -1,4 +1,4 @@
-// A few pictures of the gallery traced by feel, and that without force nobody can.
+// Traces a few pictures of the gallery by feel, and shows that nobody can without force.
 #include "app/gallery/gallery.h"
 #include "tests/bench/tracing/gallery_trial.h"
 
@@ -45,7 +45,7 @@ TEST_P(SimulatedTracing, ATourLeadsARelaxedHandAllAlong) {
     const TrialResult result = attempt(gallery(), picture(), Tracing::tour);
     EXPECT_TRUE(result.is_traced);
     EXPECT_TRUE(result.is_named);
-    EXPECT_LE(result.traced.most_N, 1.3);  // 1 N and what a weak groove adds
+    EXPECT_LE(result.traced.most_N, 1.3);  // 1 N plus what a weak groove adds
 }
 
 INSTANTIATE_TEST_SUITE_P(Gallery, SimulatedTracing,

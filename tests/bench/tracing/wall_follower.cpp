@@ -9,9 +9,9 @@ namespace {
 constexpr double sweep_m_per_s = 0.15;
 constexpr double follow_m_per_s = 0.06;
 constexpr double touch_N = 0.05;
-constexpr double hold_N = 0.25;     // in a sweep: a wall
-constexpr double press_m = 0.0016;  // half a newton of a pen grip
-constexpr double round_m = 0.0016;  // of the way round an end
+constexpr double hold_N = 0.25;     // a wall, in a sweep
+constexpr double press_m = 0.0016;  // half a newton for a pen grip
+constexpr double round_m = 0.0016;  // the radius of the way round an end
 constexpr double lost_after_m = 0.02;
 constexpr double known_reach_m = 0.0015;
 constexpr double known_enough_m = 0.006;
@@ -48,7 +48,7 @@ void WallFollower::sweep(const Touched& touched, double dt_s) {
         return;
     }
     const Position left = sweep_.goal() - touched.handle;
-    // A wall that it knows is in its way: the next row, then.
+    // A wall that it knows is in its way, so it takes the next row.
     stuck_s_ = is_wall ? stuck_s_ + dt_s : 0.0;
     if (norm(left) < 0.003 || stuck_s_ > patience_s) {
         sweep_.arrive();
@@ -72,7 +72,7 @@ void WallFollower::follow(const Touched& touched, double dt_s) {
         followed_m_ += way_m;
         felt_.add(touched.handle, followed_m_);
     } else {
-        // Round the end that it slid off: the wall is where its right hand points.
+        // Goes round the end that it slid off: the wall is where its right hand points.
         const double angle = -follow_m_per_s / round_m * dt_s;
         outward_ = direction_of(outward_ + angle * left_of(outward_));
         lost_m_ += way_m;

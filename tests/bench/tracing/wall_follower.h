@@ -8,13 +8,13 @@
 
 namespace touchline::bench {
 
-/// Sweeps until something holds it back, goes along it with the wall to its right until it is where
-/// it has been, and sweeps on.
+/// Sweeps until something holds it back, follows that with the wall to its right until it comes to
+/// where it has been, and sweeps on.
 class WallFollower {
   public:
     WallFollower(const Area& area, Position start);
 
-    /// One tick of dt_s > 0: where the hand means to be.
+    /// Does one tick of dt_s > 0. Returns where the hand means to be.
     [[nodiscard]] Intention step(const Touched& touched, double dt_s);
 
     [[nodiscard]] bool is_on_line() const { return is_following_ && is_touching_; }

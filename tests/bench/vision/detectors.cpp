@@ -14,7 +14,7 @@
 namespace touchline::bench {
 namespace {
 
-constexpr double kShown_mm = 116.0;  // of the longer side, on the drawing area
+constexpr double kShown_mm = 116.0;  // the longer side, on the drawing area
 
 uchar strength_of(double multiple) {
     return cv::saturate_cast<uchar>(255.0 * multiple / (1.0 + multiple) + 0.5);
@@ -91,7 +91,7 @@ Detector lab_quantile(double sigma_px, double fraction) {
                    });
 }
 
-/// Ours, by stages; sigma 0: by the picture.
+/// Our edges, stage by stage; with sigma 0 the picture sets it.
 Detector ours(const std::string& setting, double sigma_px, float colour_weight) {
     const auto find = [=](const cv::Mat& picture) -> cv::Mat1b {
         const LabPicture lab = to_lab(picture, colour_weight);
@@ -104,7 +104,7 @@ Detector ours(const std::string& setting, double sigma_px, float colour_weight) 
     return {"Touchline edges", setting, find, find};
 }
 
-/// Ours at a part of the size, the map enlarged again.
+/// Our lines at a part of the size, with the map enlarged again.
 Detector reduced_by(double factor) {
     const auto find = [=](const cv::Mat& picture) -> cv::Mat1b {
         cv::Mat small;

@@ -1,4 +1,4 @@
-// Edge detectors to measure: each makes a strength map of a picture, 128 where its own automatic
+// Edge detectors to measure. Each makes a strength map of a picture, 128 where its own automatic
 // rule would draw the line, as `touchline trace --edges` does.
 // Threads: one.
 #pragma once
@@ -14,19 +14,19 @@ namespace touchline::bench {
 struct Detector {
     std::string name;
     std::string setting;
-    /// 8-bit BGR to what the automatic rule keeps (that is timed).
+    /// Maps 8-bit BGR to what the automatic rule keeps (this is timed).
     std::function<cv::Mat1b(const cv::Mat&)> automatic;
-    /// The same with strengths, to be swept. Of a rule that only says yes or no: the greatest
-    /// multiple m of its threshold that keeps the pixel, as 255 m / (1 + m).
+    /// Returns the same with strengths, to be swept. For a rule that only says yes or no: the
+    /// greatest multiple m of its threshold that keeps the pixel, as 255 m / (1 + m).
     std::function<cv::Mat1b(const cv::Mat&)> ranked;
 };
 
 [[nodiscard]] std::vector<Detector> detectors();
 
-/// OpenCV's EdgeDrawing, where its ximgproc is installed.
+/// Adds OpenCV's EdgeDrawing if its ximgproc is installed.
 void add_edge_drawing(std::vector<Detector>& all);
 
-/// From a rule with a multiple of its threshold to both functions of a detector.
+/// Makes both functions of a detector from a rule with a multiple of its threshold.
 using Rule = std::function<cv::Mat1b(const cv::Mat& picture, double multiple)>;
 [[nodiscard]] Detector of_rule(std::string name, std::string setting, const Rule& rule);
 

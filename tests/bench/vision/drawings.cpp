@@ -1,6 +1,6 @@
-// What of drawings reaches the hand, and in what time: drawings_bench RESULTS writes drawings.csv
-// and drawings_sizes.csv there; drawings_bench RESULTS PROGRAM what the maps of another touchline
-// program show of them, drawings_before.csv.
+// Measures what of drawings reaches the hand, and in what time. drawings_bench RESULTS writes
+// drawings.csv and drawings_sizes.csv there; drawings_bench RESULTS PROGRAM writes to
+// drawings_before.csv what the maps of another touchline program show of them.
 #include "app/decode/map_svg.h"
 #include "app/process/child.h"
 #include "tests/app/drawings/charts.h"
@@ -37,7 +37,7 @@ struct Group {
     std::vector<testing::Drawing> drawings;
 };
 
-/// Adds a drawing that could be made.
+/// Adds the drawing if it could be made.
 void add(Group& group, Result<testing::Drawing> drawing) {
     if (drawing) group.drawings.push_back(std::move(*drawing));
 }
@@ -111,7 +111,7 @@ Way way_of_at_most(double most_pixels) {
     };
 }
 
-/// The map that another touchline program makes of the file, with its own workers.
+/// Returns the map that another touchline program makes of the file, with its own workers.
 Result<TactileMap> map_by(const std::string& program, const testing::Drawing& drawing) {
     constexpr double kPatience_s = 60.0;
     const std::filesystem::path folder =

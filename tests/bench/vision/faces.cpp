@@ -1,6 +1,6 @@
-// faces_bench PICTURES LIST OUT: what of photographs becomes a face. LIST: CSV, each line a
-// picture's name in the folder PICTURES, without its extension, what it shows, and the pose; what
-// follows is for readers. Writes a row of CSV for each picture to the standard output, and the map
+// faces_bench PICTURES LIST OUT: measures what of photographs becomes a face. LIST is CSV; each
+// line names a picture in the folder PICTURES, without its extension, what it shows, and the pose;
+// the rest is for readers. Writes a row of CSV for each picture to the standard output, and the map
 // of its widest face to OUT/NAME.svg; the memory is that of this process.
 #include "app/decode/map_svg.h"
 #include "app/models/networks.h"
@@ -98,12 +98,12 @@ Result<std::vector<cv::Rect2d>> persons_in(const cv::Mat3b& picture, NameNetwork
     return boxes;
 }
 
-/// What one picture gives.
+/// The results for one picture.
 struct Measured {
     std::size_t persons = 0;
     std::vector<FaceMesh> faces;
     std::size_t anywhere = 0;  // faces, if all of it were a person
-    FaceMap map;               // of the widest face
+    FaceMap map;               // the widest face's
     double faces_ms = 0.0;
     double map_ms = 0.0;
 };

@@ -1,7 +1,7 @@
-// figures_bench PICTURES TRUTHS SIDE: the network "figure" at one size, in pixels a side, on
+// figures_bench PICTURES TRUTHS SIDE: runs the network "figure" at one size, in pixels a side, on
 // photographs whose main thing somebody has marked: PICTURES/NAME.jpg with PICTURES/NAME-human1.png
-// ... (boundaries), TRUTHS/NAME.png (128 and more: the thing). A row of CSV; the memory is that of
-// this process.
+// ... (boundaries), TRUTHS/NAME.png (128 and more: the thing). Prints a row of CSV; the memory is
+// that of this process.
 #include "vision/figure/figures.h"
 
 #include "app/models/networks.h"
@@ -43,7 +43,7 @@ double overlap_of(const cv::Mat& found, const cv::Mat& truth) {
            std::max(1, cv::countNonZero(found | truth));
 }
 
-/// Points on the picture's frame are no boundary of anything.
+/// Points on the picture's frame are not a boundary of anything.
 double precision_of(const cv::Mat& found, const std::vector<cv::Mat1b>& annotators) {
     cv::Mat1b free(found.size(), uchar{255});
     for (const cv::Mat1b& boundary : annotators) free.setTo(0, boundary);

@@ -33,7 +33,7 @@ double cpu_ms() {
     return 1000.0 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// Processor time of one call, the least of three; other programs do not count.
+/// Returns the processor time of one call, the least of three; other programs do not count.
 template <class Call>
 double ms_of(Call&& call) {
     double least = std::numeric_limits<double>::infinity();
@@ -68,7 +68,7 @@ void score(const std::string& set, const std::vector<MarkedPicture>& pictures, s
     }
 }
 
-/// How much of the automatic lines stays under other light, noise, JPEG and blur.
+/// Measures how much of the automatic lines stays under other light, noise, JPEG and blur.
 void score_repeats(const std::string& set, const std::vector<MarkedPicture>& pictures,
                    std::ofstream& csv) {
     std::vector<std::pair<std::string, BoundaryCounts>> counts;
@@ -91,7 +91,7 @@ void score_repeats(const std::string& set, const std::vector<MarkedPicture>& pic
     }
 }
 
-/// Letters as a camera of 3 megapixels gives them, traced at several working sizes.
+/// Traces letters, as a camera of 3 megapixels gives them, at several working sizes.
 void score_sizes(std::ofstream& csv) {
     const cv::Size full(2000, 1500);
     constexpr double kShown_mm = 112.0;

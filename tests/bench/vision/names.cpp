@@ -1,7 +1,7 @@
-// names_bench NETWORK RESULTS PICTURES LABELS [PICTURES LABELS ...]: what vision/name says of
-// photographs whose things one reader wrote down before (names_SET.txt). RESULTS/names.csv: with
-// its limits moved up and down, by one look and by two; RESULTS/names_said.csv: the words of each
-// picture, as it ships.
+// names_bench NETWORK RESULTS PICTURES LABELS [PICTURES LABELS ...]: measures what vision/name says
+// of photographs whose things one reader wrote down before (names_SET.txt). RESULTS/names.csv: with
+// its limits moved up and down, by one look and by two; RESULTS/names_said.csv: the words for each
+// picture, as shipped.
 #include "vision/name/names.h"
 
 #include "app/decode/files.h"
@@ -28,21 +28,21 @@ using Words = std::set<ThingName>;
 struct Labels {
     std::string picture;
     Words main;  // what anybody would name first
-    Words also;  // true as well
+    Words also;  // also true
 };
 
 struct Looked {
     std::vector<Detection> found;
-    double ms = 0.0;  // of the processor
+    double ms = 0.0;  // processor time
 };
 
 struct Score {
-    int own = 0;      // words that are right and a thing's own
-    int general = 0;  // "an animal", "a vehicle", and right
+    int own = 0;      // right words that are a thing's own
+    int general = 0;  // "an animal", "a vehicle", if right
     int wrong = 0;
-    int named = 0;  // pictures with a main thing that has a word, and a right one was said of it
-    int named_by_own = 0;  // of these, by its own
-    int others_named = 0;  // pictures of another animal or vehicle, and that was said
+    int named = 0;         // pictures whose main thing has a word and was named rightly
+    int named_by_own = 0;  // of these, with its own word
+    int others_named = 0;  // pictures of another animal or vehicle, named so
 };
 
 /// Reads the words between two separators; "-" is none.
@@ -84,15 +84,15 @@ bool has_own_word(const Words& words) {
     return std::ranges::any_of(words, [](ThingName name) { return !is_general(name); });
 }
 
-/// "An animal" is right of a dog; "a dog" is not of "an animal".
+/// "An animal" is true of a dog; "a dog" is not true of "an animal".
 bool is_true_of(ThingName word, const Words& words) {
     if (word == ThingName::animal) return std::ranges::any_of(words, is_animal);
     if (word == ThingName::vehicle) return std::ranges::any_of(words, is_vehicle);
     return words.contains(word);
 }
 
-/// What is said if every limit of the rule is higher by `by`. What detections_of left out does not
-/// come back.
+/// Returns what is said if every limit of the rule rises by `by`. What detections_of left out does
+/// not come back.
 Words said_of(const std::vector<Detection>& found, double by) {
     std::vector<Detection> moved = found;
     for (Detection& detection : moved) detection.likelihood -= by;

@@ -10,13 +10,12 @@
 namespace touchline::bench {
 namespace {
 
-constexpr double kLeastLine_mm = 3.0;  // shorter ones are not asked for
-// What a Sobel filter gives where a step of 25 of 255 has become three pixels wide.
+constexpr double kLeastLine_mm = 3.0;  // shorter ones are not required
+// The answer of a Sobel filter where a step of 25 of 255 has become three pixels wide.
 constexpr double kSeenStep = 60.0;
 constexpr int kNearCorner_px = 31;
 constexpr float kCornerBeyondMiddle = 2.0F;  // in half widths, at 60 degrees
-constexpr double kAlong =
-    0.7;  // cosine between the gradients of the two sides of a stroke, or more
+constexpr double kAlong = 0.7;  // least cosine between the gradients of the two sides of a stroke
 
 const cv::Size kSheet(static_cast<int>(testing::kSheet_mm.width* kPixels_per_mm),
                       static_cast<int>(testing::kSheet_mm.height* kPixels_per_mm));
@@ -85,7 +84,7 @@ cv::Mat edges_of(const Gradient& gradient, const cv::Rect& picture) {
     return edges;
 }
 
-/// The nearest edge in this direction that runs along this one; a stroke lies between.
+/// Returns the nearest edge in this direction that runs along this one; a stroke lies between.
 std::optional<cv::Point> other_side(const cv::Mat& edges, const Gradient& gradient,
                                     const cv::Point& from, const cv::Point2d& direction) {
     const cv::Point2d own = gradient.at(from) * (1.0 / cv::norm(gradient.at(from)));
@@ -125,7 +124,7 @@ double share_within(const cv::Mat& edges, const cv::Mat& distance, double tolera
 }
 
 /// A stretch of missed edge that lies within the gap of a felt line all along, and is longer than
-/// the gap, runs beside it: the tactile rules chose the other.
+/// the gap, runs beside it: the tactile rules chose the other line.
 void count_missed(const cv::Mat& missed, const cv::Mat& to_felt, double gap_mm,
                   testing::Counted& seen) {
     cv::Mat parts, sizes, middles, furthest;

@@ -1,4 +1,4 @@
-// What can be seen of a picture that another program painted, and what of it is felt: by the edges
+// What can be seen of a picture that another program painted, and what of it is felt, by the edges
 // of its colours. Lengths are millimetres at the hand. Threads: pure functions.
 #pragma once
 
@@ -16,7 +16,7 @@ struct PictureTruth {
     cv::Mat lines;  // these, and the middles of strokes up to testing::kWidestLine_mm
 
     /// Where an edge pixel may be felt: there, or in the middle of the stroke on either side. At a
-    /// stroke's corners and ends no side lies opposite: there the middle is somewhere within
+    /// stroke's corners and ends no side is opposite, and the middle is somewhere within
     /// `beside_px`.
     struct Edge {
         std::vector<cv::Point> choices;
@@ -28,8 +28,8 @@ struct PictureTruth {
 
 inline constexpr double kPixels_per_mm = 10.0;
 
-/// The truth of an 8-bit picture of 3 channels, fitted on the sheet. Its own border is no edge.
-/// O(pixels).
+/// Returns the truth of an 8-bit picture of 3 channels, fitted on the sheet. Its own border is not
+/// an edge. O(pixels).
 [[nodiscard]] PictureTruth truth_of(const cv::Mat& picture);
 
 /// The share of the edges that is felt within the tolerance, and the share of the felt lines that

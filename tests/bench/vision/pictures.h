@@ -16,22 +16,22 @@ struct MarkedPicture {
     std::vector<cv::Mat1b> annotators;  // boundaries are not 0
 };
 
-/// A picture's pixels, 8-bit BGR.
+/// Returns a picture's pixels, 8-bit BGR.
 [[nodiscard]] Result<cv::Mat> pixels_of(const std::string& path);
 
-/// Pictograms before photo-like backgrounds, made here.
+/// Makes pictograms before photo-like backgrounds.
 [[nodiscard]] std::vector<MarkedPicture> made_pictures();
 
-/// A folder of NAME.jpg, each with NAME-human1.png ..., by name.
+/// Returns a folder's NAME.jpg, each with NAME-human1.png ..., by name.
 [[nodiscard]] Result<std::vector<MarkedPicture>> pictures_in(const std::string& folder);
 
 /// A photograph whose main thing somebody has marked.
 struct FigurePicture {
     MarkedPicture marked;
-    cv::Mat1b truth;  // of the picture's size; 128 and more: the thing
+    cv::Mat1b truth;  // the picture's size; 128 and more: the thing
 };
 
-/// Those of a folder that have a mask of the same name in another: TRUTHS/NAME.png.
+/// Returns those of a folder that have a mask of the same name in another: TRUTHS/NAME.png.
 [[nodiscard]] Result<std::vector<FigurePicture>> pictures_in(const std::string& folder,
                                                              const std::string& truths);
 

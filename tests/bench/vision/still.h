@@ -13,9 +13,9 @@ struct StageTime {
     double median_ms = 0.0;
 };
 
-/// A generated still of 12 megapixels, shapes before a rough background, as a JPEG of quality 90 as
-/// a USB camera sends it; decoded, classed, its lines found, simplified at each detail. The last
-/// row is the whole way at once. At least one run.
+/// Makes a still of 12 megapixels, shapes before a rough background, as a JPEG of quality 90 as a
+/// USB camera sends it. Decodes it, classes it, finds its lines and simplifies them at each detail.
+/// The last row is the whole way at once. Needs at least one run.
 [[nodiscard]] std::vector<StageTime> still_stages(int runs);
 
 }  // namespace touchline::bench

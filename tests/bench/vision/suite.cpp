@@ -1,6 +1,7 @@
-// What of somebody else's drawings reaches the hand: suite_bench FOLDER RESULTS EACH.csv takes each
-// NAME.svg below FOLDER that has a NAME.png beside it, painted by another program, and writes
-// RESULTS/suite.csv (a row for each chapter, the folders of FOLDER) and a row for each drawing.
+// Measures what of somebody else's drawings reaches the hand. suite_bench FOLDER RESULTS EACH.csv
+// takes each NAME.svg below FOLDER that has a NAME.png beside it, painted by another program, and
+// writes RESULTS/suite.csv (a row for each chapter, the folders of FOLDER) and a row for each
+// drawing.
 #include "app/decode/opening.h"
 #include "tests/app/drawings/paint.h"
 #include "tests/bench/vision/picture_truth.h"
@@ -28,7 +29,7 @@ struct Chapter {
     int drawings = 0;  // with something to see, painted alike by both programs
     int whole = 0;     // of these with both shares at the bar
     int refused = 0;
-    int otherwise = 0;  // painted otherwise here than by the other program
+    int otherwise = 0;  // painted differently here than by the other program
     int blank = 0;      // nothing to see
     testing::Counted seen;
     testing::Counted felt;
@@ -51,7 +52,7 @@ std::vector<fs::path> drawings_below(const fs::path& folder) {
     return out;
 }
 
-/// What became of it, as one word, and the shares.
+/// What became of a drawing, as one word, and the shares.
 struct Judged {
     std::string became;
     Shares shares;

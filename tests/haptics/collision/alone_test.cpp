@@ -1,4 +1,4 @@
-// Nodes that are alone: a slide over them asks nothing of the tree, so nothing else may be near.
+// Nodes that are alone: a slide over them never asks the tree, so nothing else may be near.
 #include "haptics/collision/scene.h"
 #include "haptics/collision/touch.h"
 #include "tests/bench/workload.h"
@@ -28,7 +28,7 @@ bool is_alone(const Scene& scene, SegmentRef ref, double level) {
     return scene.tree.is_alone(nodes.first + static_cast<std::size_t>(node));
 }
 
-/// The segment and those that a slide looks at anyway.
+/// Returns the segment and those that a slide looks at anyway.
 std::vector<SegmentRef> neighbourhood(const CurveSet& curves, SegmentRef ref, double level) {
     const int each_way = level == std::floor(level) ? 1 : 3;
     std::vector<SegmentRef> near{ref};
@@ -43,7 +43,7 @@ std::vector<SegmentRef> neighbourhood(const CurveSet& curves, SegmentRef ref, do
     return near;
 }
 
-/// Segments that are alone; a failure where a stranger comes within reach of one.
+/// Returns how many segments are alone; expects no stranger within reach of one.
 int count_alone(const Scene& scene, double radius_m, double level) {
     int alone = 0;
     const LevelSegments segments(scene.curves, level);
@@ -74,8 +74,8 @@ TEST(Alone, NothingButNeighboursComesWithinReach) {
     EXPECT_GT(alone, 1000);
 }
 
-/// A loop with one corner, of the half-angle given, and a round end of 30 mm away: one piece that
-/// is its own neighbour.
+/// A loop with one corner of the given half-angle and a round end 30 mm away: one piece that is its
+/// own neighbour.
 Outline drop(double half_angle, int points) {
     const double radius = 0.03 * std::sin(half_angle);
     const double arm = 0.03 * std::cos(half_angle);
@@ -118,9 +118,8 @@ TEST(Alone, NorAcrossTheOnlyPinOfALoop) {
     }
 }
 
-/// A straight arm of 30 mm up to a corner, and from there an arm that wriggles. Beside it, 0.1 to
-/// 0.5 mm away, another outline: the wriggling arm keeps few levels, the straight one all of its
-/// own.
+/// A straight arm of 30 mm up to a corner, then an arm that wriggles. Another outline lies 0.1 to
+/// 0.5 mm beside it: the wriggling arm keeps few levels, the straight one keeps all of its own.
 TactileMap wriggling_corner(unsigned seed) {
     trials::Random random(seed);
     const double angle = 0.8 + 1.6 * random.unit();
@@ -162,7 +161,7 @@ TEST(Alone, HoldsForTheLevelsThatALimitedNeighbourKeeps) {
     EXPECT_GT(alone, 100);
 }
 
-/// Share of the nodes of all levels that are alone.
+/// Returns the share of the nodes of all levels that are alone.
 double alone_share(const Scene& scene) {
     std::size_t nodes = 0;
     std::size_t alone = 0;

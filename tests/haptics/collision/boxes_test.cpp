@@ -1,5 +1,5 @@
-// Boxes hold everything that they claim, every node of every level: the points of every finer level
-// and of the blends between them, over the node's stretch.
+// Boxes hold everything that they claim. Every node of every level holds the points of all finer
+// levels, and of the blends between them, over the node's stretch.
 #include "haptics/collision/scene.h"
 #include "tests/bench/workload.h"
 #include "tests/haptics/collision/trials.h"
@@ -15,7 +15,7 @@
 namespace touchline {
 namespace {
 
-/// How far p lies outside a box of counter-clockwise corners; not above 0 inside.
+/// Returns how far p lies outside a box of counter-clockwise corners; at most 0 inside.
 double outside_m(const ErrorBox& box, Position p) {
     double worst = -INFINITY;
     for (std::size_t k = 0; k < 4; ++k) {
@@ -26,7 +26,7 @@ double outside_m(const ErrorBox& box, Position p) {
     return worst;
 }
 
-/// Corners are rounded where they are computed; queries widen boxes by 100 times as much.
+/// Corners are rounded when computed; queries widen boxes by 100 times as much.
 constexpr double rounding_m = 1e-15;
 
 struct Count {
@@ -35,7 +35,8 @@ struct Count {
     std::size_t outside = 0;
 };
 
-/// Points of the piece as rendered at `level`, over segment j of the whole level `above`.
+/// Checks the points of the piece as rendered at `level`, over one segment of the box's whole
+/// level.
 void check_node(const Scene& scene, const ErrorBox& box, double level, Count& count) {
     const RenderedPiece rendered = scene.curves.rendered(box.piece, level);
     const int stride = 1 << (box.level - static_cast<int>(level));

@@ -1,4 +1,4 @@
-// A query with a budget: boxes left unopened are obstacles, and what is said is still true.
+// A query with a budget: unopened boxes are obstacles, and the answer is still true.
 #include "haptics/collision/scene.h"
 #include "haptics/collision/touch.h"
 #include "tests/haptics/collision/hierarchy_hit.h"
@@ -17,8 +17,8 @@ namespace {
 constexpr unsigned scenes_asked = 80;
 constexpr int motions_each_level = 4;
 
-/// Calls check(scene, segments, motion) for ways of all kinds, a third each as a point, with the
-/// skin alone and with a radius.
+/// Calls check(scene, segments, motion) for ways of all kinds: a third each as a point, with the
+/// skin alone, and with a radius.
 template <class Check>
 void for_each_motion(const Check& check) {
     for (unsigned seed = 0; seed < scenes_asked; ++seed) {

@@ -1,4 +1,4 @@
-// closest_point() equals looking at every segment, at every level and blend.
+// closest_point() equals a look at every segment, at every level and blend.
 #include "haptics/collision/scene.h"
 #include "tests/haptics/collision/level_segments.h"
 #include "tests/haptics/collision/trials.h"
@@ -12,7 +12,7 @@
 namespace touchline {
 namespace {
 
-/// The lowest of the nearest segments, by the same foot() and no tree.
+/// Returns the lowest of the nearest segments, by the same foot() and no tree.
 Closest brute_force(const LevelSegments& segments, Position p, double within_m) {
     Closest nearest;
     nearest.distance_m = within_m;
@@ -34,7 +34,7 @@ double largest_coordinate_m(const LevelSegments& segments) {
     return largest;
 }
 
-// Nearer than this the rounding of the boxes (1e-17 m) may decide which of two equals is looked at.
+// Below this the rounding of the boxes (1e-17 m) may decide which of two equals is looked at.
 constexpr double least_told_apart_m = 1e-9;
 
 TEST(ClosestPoint, EqualsLookingAtEverySegment) {

@@ -37,7 +37,7 @@ class Random {
 
     Position place() { return {0.1 * (unit() - 0.5), 0.1 * (unit() - 0.5)}; }
 
-    /// Anything from a long way across the scene to a step of micrometres.
+    /// Returns anything from a long way across the scene to a step of micrometres.
     Motion motion(double level, double radius_m) {
         const Position from = place();
         const double reach = std::pow(10.0, -6.0 * unit());
@@ -48,7 +48,7 @@ class Random {
     std::mt19937 engine_;
 };
 
-/// The first touch over all segments, by the leaf test alone.
+/// Returns the first touch over all segments, by the leaf test alone.
 Hit brute_force(const CurveSet& curves, const Motion& motion) {
     Hit first;
     for (const SegmentRef ref : all_segments(curves, motion.level)) {
@@ -78,7 +78,7 @@ TEST(CollisionTree, FirstHitEqualsBruteForceAtEveryLevelBlendAndRadius) {
             ++hits;
             const double way = norm(motion.to - motion.from);
             ASSERT_LE(std::abs(found.clear - expected.clear) * way, approach_tolerance_m);
-            // Of segments touched at the same moment it is the lowest.
+            // The lowest of the segments touched at the same moment wins.
             ASSERT_LE(found.segment, expected.segment);
             ASSERT_LE((found.touch.fraction - expected.clear) * way, approach_tolerance_m);
         }
@@ -117,7 +117,7 @@ TEST(CollisionTree, AMotionThatOnlyMovesAwayOrAlongATouchedLineIsClear) {
     EXPECT_NEAR(through.touch.normal.y, 1.0, 1e-15);
 }
 
-/// The paper's definition: nodes that do not hold the handle while their parent does, cut off at
+/// The paper's definition: nodes that do not hold the handle although their parent does, cut off at
 /// `level`.
 void paper_section(const Scene& scene, Position handle, int level, int piece, int at, int j,
                    std::vector<ErrorBox>& out) {

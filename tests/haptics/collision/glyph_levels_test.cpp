@@ -1,4 +1,4 @@
-// Thin letters at every level: what one font has of narrow strokes, counters and curls.
+// Thin letters at every level: the narrow strokes, counters and curls of one font.
 #include "haptics/collision/scene.h"
 #include "tests/haptics/collision/meetings.h"
 #include "tests/haptics/scenes.h"
@@ -34,7 +34,7 @@ TactileMap letter(const std::string& character) {
     return scenes::map_of(std::move(rings));
 }
 
-/// Twice the signed area within each outline at a level.
+/// Returns twice the signed area within each outline at a level.
 std::vector<double> areas_at(const CurveSet& curves, std::size_t outlines, double level) {
     std::vector<double> twice(outlines, 0.0);
     for (int piece = 0; piece < static_cast<int>(curves.pieces().size()); ++piece) {

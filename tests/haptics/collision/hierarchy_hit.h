@@ -1,5 +1,5 @@
-// The first hit by the hierarchy alone, as TreeWalk visitor: what CollisionTree::first_hit() does
-// for long motions, here for any, and counting what it looks at. Threads: a value.
+// The first hit by the hierarchy alone, as a TreeWalk visitor. It does for any motion what
+// CollisionTree::first_hit() does for long ones, and counts what it looks at. Threads: a value.
 #pragma once
 
 #include "haptics/collision/scene.h"
@@ -21,7 +21,7 @@ class HierarchyHit {
           way_{motion.from, motion.to - motion.from, motion.radius_m + approach_tolerance_m},
           most_boxes_(most_boxes) {}
 
-    /// Returns the earliest share at which a box left unopened is met.
+    /// Returns the share of the motion up to the nearest box left unopened.
     double walk(const Scene& scene) {
         return TreeWalk(scene.tree, scene.curves, motion_.level, *this).run();
     }
@@ -51,7 +51,7 @@ class HierarchyHit {
 
     [[nodiscard]] bool is_hit() const { return is_hit_; }
 
-    /// Of the motion, at the first touch; 1 where there is none.
+    /// The share of the motion at the first touch; 1 if there is none.
     [[nodiscard]] double share() const { return share_; }
 
     [[nodiscard]] int boxes() const { return boxes_; }

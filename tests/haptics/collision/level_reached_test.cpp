@@ -1,4 +1,4 @@
-// The paper's query: the answer at the finest level that the budget allows to reach.
+// The paper's query: the answer at the finest level that the budget reaches.
 #include "haptics/collision/scene.h"
 #include "haptics/collision/touch.h"
 #include "tests/haptics/collision/trials.h"
@@ -13,7 +13,7 @@
 namespace touchline {
 namespace {
 
-/// The share of the motion at which any rendered segment is first touched.
+/// Returns the share of the motion at which it first touches any rendered segment.
 std::optional<double> first_touch(const CurveSet& curves, const Motion& motion, double level) {
     std::optional<double> first;
     for (int piece = 0; piece < static_cast<int>(curves.pieces().size()); ++piece) {

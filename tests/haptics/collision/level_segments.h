@@ -1,5 +1,5 @@
-// The slow reference for the collision tree: all segments of one level or blend, looked at one by
-// one with exact arithmetic (tests/exact). Knows nothing of boxes. Threads: values.
+// The slow reference for the collision tree: looks at all segments of one level or blend one by
+// one, with exact arithmetic (tests/exact). Knows nothing of boxes. Threads: values.
 #pragma once
 
 #include "haptics/curve/curve_set.h"
@@ -14,7 +14,7 @@ struct NamedSegment {
     Segment segment;
 };
 
-/// The first point that a way has in common with any segment.
+/// The first point that a way shares with any segment.
 struct FirstMeeting {
     double share = 0.0;  // of the way, the exact one rounded to nearest
     SegmentRef lowest;   // of the segments met there
@@ -24,22 +24,22 @@ class LevelSegments {
   public:
     LevelSegments(const CurveSet& curves, double level);
 
-    /// In the order of their names.
+    /// All segments in the order of their names.
     [[nodiscard]] const std::vector<NamedSegment>& all() const { return all_; }
 
     [[nodiscard]] const Segment& segment(SegmentRef ref) const;
 
     [[nodiscard]] std::optional<FirstMeeting> first_meeting(Position from, Position to) const;
 
-    /// Whether p is a point of any segment.
+    /// Whether p lies on any segment.
     [[nodiscard]] bool holds(Position p) const;
 
-    /// Whether a ray from p upwards crosses the segments an odd number of times. Of closed curves:
-    /// whether p, not on them, is inside an odd number of windings.
+    /// Whether a ray from p upwards crosses the segments an odd number of times. For closed curves
+    /// and p not on them: whether p is inside an odd number of windings.
     [[nodiscard]] bool is_inside(Position p) const;
 
-    /// From p to the nearest point of any segment, in extended precision; infinite where there is
-    /// none.
+    /// Distance from p to the nearest point of any segment, in extended precision; infinite if
+    /// there is none.
     [[nodiscard]] long double distance_m(Position p) const;
 
   private:
@@ -47,7 +47,7 @@ class LevelSegments {
     std::vector<std::size_t> first_of_piece_;
 };
 
-/// From p to the nearest point of the segment, in extended precision.
+/// Distance from p to the nearest point of the segment, in extended precision.
 [[nodiscard]] long double distance_m(Position p, const Segment& segment);
 
 }  // namespace touchline

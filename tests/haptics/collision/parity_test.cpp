@@ -11,7 +11,7 @@
 namespace touchline {
 namespace {
 
-/// Every piece goes round, alone or with those that it shares pins with.
+/// Whether every piece closes, alone or with those that it shares pins with.
 bool is_closed(const CurveSet& curves) {
     const auto pieces = curves.pieces();
     return std::all_of(pieces.begin(), pieces.end(),

@@ -1,5 +1,5 @@
-// A point (radius 0) hits exactly what exact arithmetic says it meets first, at every level and
-// blend, however it is aimed. TOUCHLINE_EXHAUSTIVE=1 asks ten million times (tests/README.md).
+// A point (radius 0) hits exactly what exact arithmetic says that it meets first, at every level
+// and blend, however it is aimed. TOUCHLINE_EXHAUSTIVE=1 asks ten million times (tests/README.md).
 #include "haptics/collision/scene.h"
 #include "tests/bench/workload.h"
 #include "tests/exact/orientation.h"
@@ -20,16 +20,15 @@ namespace touchline {
 namespace {
 
 constexpr std::int64_t few_ulp = 4;
-// Contacts nearer than four ulp of the whole way are one moment; each may be four ulp of its own
-// off.
+// Contacts within four ulp of the whole way count as one moment; each may itself be four ulp off.
 constexpr double one_moment = 8 * 0x1p-52;
 
-/// Of numbers >= 0.
+/// Both numbers must be >= 0.
 std::int64_t ulps_between(double a, double b) {
     return std::abs(std::bit_cast<std::int64_t>(a + 0.0) - std::bit_cast<std::int64_t>(b + 0.0));
 }
 
-/// Moments that follow one upon another from the first meeting on: the last of them.
+/// Returns the last of the moments that follow one another without a gap from the first meeting on.
 double last_of_chain(const trials::FromTo& way, const LevelSegments& reference) {
     std::vector<double> shares;
     for (const auto& [ref, segment] : reference.all()) {
@@ -47,12 +46,12 @@ struct Tally {
     std::size_t asked = 0;
     std::size_t hits = 0;
     std::size_t wrong = 0;
-    std::size_t tied = 0;     // a lower segment, met a moment later
-    std::size_t chained = 0;  // of those: a moment after a moment
+    std::size_t tied = 0;     // a lower segment, met one moment later
+    std::size_t chained = 0;  // of those: met more than one moment later
     std::int64_t worst_ulp = 0;
 };
 
-/// What is wrong with an answer; empty when nothing is.
+/// Says what is wrong with an answer; empty if nothing is.
 std::string fault(const Hit& found, const trials::FromTo& way, const LevelSegments& reference,
                   Tally& tally) {
     const auto expected = reference.first_meeting(way.from, way.to);
@@ -88,7 +87,7 @@ void ask(const Scene& scene, double level, const LevelSegments& reference,
         found.segment.piece, found.segment.index, found.boxes);
 }
 
-/// `count` ways in one scene, over all its levels in turn.
+/// Asks `count` ways in one scene, over all its levels in turn.
 void ask_scene(const Scene& scene, std::size_t count, trials::Random& random, Tally& tally) {
     const std::vector<double> levels = trials::levels_of(scene.curves);
     const std::size_t per_level = (count + levels.size() - 1) / levels.size();

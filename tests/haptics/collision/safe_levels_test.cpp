@@ -1,4 +1,4 @@
-// On the way from level to level no line passes over another that it does not pass at level 0.
+// On the way from level to level no line passes over one that it does not cross at level 0.
 #include "haptics/collision/scene.h"
 #include "tests/bench/workload.h"
 #include "tests/haptics/collision/meetings.h"
@@ -13,8 +13,8 @@
 namespace touchline {
 namespace {
 
-/// Two rings, one `gap_m` within the other, with waves that coarse levels lose; each has its
-/// vertices elsewhere.
+/// Two rings, one `gap_m` within the other, with waves that coarse levels lose; their vertices lie
+/// at different places.
 TactileMap nested_rings(unsigned seed, double gap_m) {
     std::vector<Outline> rings;
     const double waves = 5.0 + seed % 23;
@@ -47,7 +47,7 @@ TEST(SafeLevels, LinesThatDoNotMeetAtLevel0MeetAtNoOther) {
     EXPECT_GT(unsafe, 5);  // of those apart, with all levels kept
 }
 
-/// Two waves that cross in the middle at 10 degrees, 400 edges of 0.2 mm each.
+/// Two waves that cross in the middle at 10 degrees, with 400 edges of 0.2 mm each.
 TactileMap crossing_waves() {
     std::vector<Outline> waves;
     for (const double sign : {1.0, -1.0}) {
@@ -79,7 +79,7 @@ TEST(SafeLevels, PinsPartACrossingFromTheRest) {
     EXPECT_EQ(all, every.finest_count() - 2);
     EXPECT_LE(fine, all / 10);
     for (double level = 0.0; level <= safe.coarsest(); level += 0.0625) {
-        EXPECT_GT(trials::meetings(safe, level), 0) << level;  // they go on crossing
+        EXPECT_GT(trials::meetings(safe, level), 0) << level;  // they still cross
     }
 }
 

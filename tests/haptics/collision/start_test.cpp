@@ -1,5 +1,5 @@
-// Short motions start at a grid, long ones at the top of the hierarchy: the same answer, and what
-// is spared afterwards is true.
+// Short motions start at a grid, long ones at the top of the hierarchy: both give the same answer,
+// and what is spared afterwards is true.
 #include "haptics/collision/scene.h"
 #include "haptics/collision/touch.h"
 #include "tests/bench/workload.h"
@@ -18,7 +18,8 @@
 namespace touchline {
 namespace {
 
-/// A motion of 1 um to 100 mm that begins near a curve: the shorter half of them fit the grid.
+/// Returns a motion of 1 um to 100 mm that begins near a curve; the shorter half of them fit the
+/// grid.
 Motion motion_near(trials::Random& random, const LevelSegments& segments, double level,
                    double radius_m) {
     const Segment& s = segments.all()[random.below(segments.all().size())].segment;
@@ -34,7 +35,7 @@ Motion motion_near(trials::Random& random, const LevelSegments& segments, double
 struct Tally {
     std::size_t asked = 0;
     std::size_t hits = 0;
-    std::size_t started_elsewhere = 0;  // fewer or more boxes than the hierarchy: by the grid
+    std::size_t started_elsewhere = 0;  // not as many boxes as the hierarchy: used the grid
     std::size_t spared = 0;
     std::size_t wrong = 0;
 };
@@ -107,7 +108,7 @@ TEST(StartOfAWalk, TheSameOnLongCurvesAtEveryLevel) {
     report(tally);
 }
 
-/// What is spared may be moved in any direction, by the tree's own answer too.
+/// A motion as long as was spared is free in any direction, by the tree's own answer too.
 TEST(StartOfAWalk, AfterAFreeMotionOneAsLongAsIsSparedIsFreeToo) {
     trials::Random random(6);
     const Scene scene = trials::every_level(scenes::random_map(6, 6));

@@ -10,9 +10,9 @@
 namespace touchline {
 namespace {
 
-// One skin from an edge's end, its foot 1e-8 of the edge before it, the motion turned from the edge
-// by less than a tenth of a degree: neither the side nor the end counted as touched, and it went
-// through.
+// The point starts one skin from an edge's end, its foot 1e-8 of the edge before the end, and moves
+// less than a tenth of a degree off the edge. Neither the side nor the end counted as touched, and
+// it went through.
 TEST(Touch, AGrazingMotionPastAnEndIsNotLetThrough) {
     const Segment segment{{-0x1.2e49b73c1038ap-6, 0x1.264d2a8f0267dp-5},
                           {-0x1.2e4a90ddba539p-6, 0x1.264ce20ca6d8p-5}};

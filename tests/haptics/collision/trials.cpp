@@ -39,7 +39,7 @@ Outline walk(Random& random, std::size_t points) {
     return scenes::outline(std::move(made), random.below(4) == 0);
 }
 
-/// Points given twice in a row, and earlier points visited again.
+/// Gives points twice in a row and visits earlier points again.
 Outline repeated(Random& random, std::size_t points) {
     std::vector<Position> made{random.place()};
     while (made.size() < points) {
@@ -50,7 +50,7 @@ Outline repeated(Random& random, std::size_t points) {
     return scenes::outline(std::move(made), random.below(2) == 0);
 }
 
-/// Any points: crosses itself wherever it can.
+/// Takes any points: crosses itself wherever it can.
 Outline scribble(Random& random, std::size_t points) {
     const double size = random.decade(-3.0, 0.0);
     const Position centre = 0.5 * random.place();
@@ -106,7 +106,7 @@ Position near_vertex(Random& random, const LevelSegments& segments, double decad
     return vertex + off_m * random.direction();
 }
 
-/// As close to the segment as rounding puts it.
+/// Returns a point as close to the segment as rounding allows.
 Position on_segment(Random& random, const LevelSegments& segments) {
     const Segment& s = segments.all()[random.below(segments.all().size())].segment;
     const double t = random.below(4) == 0 ? 0.5 : random.unit();
@@ -114,7 +114,7 @@ Position on_segment(Random& random, const LevelSegments& segments) {
 }
 
 Position one_ulp_off(Random& random, Position p) {
-    // Beside 0 the next number is 5e-324, whose products vanish; the predicates promise 1e-140.
+    // The next number to 0 is 5e-324, whose products vanish; the predicates promise 1e-140.
     constexpr double beside_zero_m = 0x1p-80;
     const auto off = [&](double x) {
         const std::size_t way = random.below(3);
@@ -144,7 +144,7 @@ Position any_place(Random& random, const LevelSegments& segments) {
     }
 }
 
-/// Along a segment's line: part of it, all of it, beyond both ends, up to an end.
+/// A way along a segment's line: part of it, all of it, beyond both ends, up to an end.
 FromTo along_segment(Random& random, const LevelSegments& segments) {
     const Segment& s = segments.all()[random.below(segments.all().size())].segment;
     constexpr double shares[] = {-1.0, -0.5, 0.0, 0.25, 0.5, 1.0, 1.5, 2.0};

@@ -1,6 +1,5 @@
-// Random outlines and ways for the tests of the collision tree: every shape and every way of
-// touching one that has its own rounding or its own ties. Deterministic from a seed. Threads:
-// values.
+// Random outlines and ways for the tests of the collision tree: every shape, and every way of
+// touching one, that has its own rounding or ties. Deterministic from a seed. Threads: values.
 #pragma once
 
 #include "config/types/tactile_map.h"
@@ -15,7 +14,7 @@
 
 namespace touchline::trials {
 
-/// `everyday`, or with TOUCHLINE_EXHAUSTIVE set in the environment `exhaustive` (tests/README.md).
+/// Returns `everyday`, or `exhaustive` if TOUCHLINE_EXHAUSTIVE is set (tests/README.md).
 [[nodiscard]] std::size_t count(std::size_t everyday, std::size_t exhaustive);
 
 class Random {
@@ -24,15 +23,15 @@ class Random {
 
     double unit() { return std::uniform_real_distribution<double>(0.0, 1.0)(engine_); }
 
-    /// 0 ... n - 1.
+    /// Returns 0 ... n - 1.
     std::size_t below(std::size_t n) {
         return std::uniform_int_distribution<std::size_t>(0, n - 1)(engine_);
     }
 
-    /// Between two powers of ten, every decade as likely.
+    /// Returns a number between two powers of ten, every decade equally likely.
     double decade(double low, double high) { return std::pow(10.0, low + (high - low) * unit()); }
 
-    /// Within 50 mm of the origin, in a square.
+    /// Returns a place in a square that extends 50 mm from the origin.
     Position place() { return {0.1 * (unit() - 0.5), 0.1 * (unit() - 0.5)}; }
 
     Position direction() {
@@ -44,36 +43,36 @@ class Random {
     std::mt19937_64 engine_;
 };
 
-/// Wobbly rings, walks, two points, points that come again, random closed polygons that cross
+/// Returns wobbly rings, walks, two points, repeated points, random closed polygons that cross
 /// themselves, corners on a grid (edges on one line, and back on themselves), several at once. At
 /// most 64 segments as given.
 [[nodiscard]] TactileMap small_map(Random& random);
 
-/// Only closed outlines.
+/// Returns closed outlines only.
 [[nodiscard]] TactileMap closed_map(Random& random);
 
-/// `count` triangles, crosses and single strokes of 0.05 to 2 mm all over the area.
+/// Returns `count` triangles, crosses and single strokes of 0.05 to 2 mm all over the area.
 [[nodiscard]] TactileMap tiny_outlines(Random& random, std::size_t count);
 
-/// With every level that the curves have, the unsafe ones too.
+/// Builds a scene with every level that the curves have, the unsafe ones too.
 [[nodiscard]] Scene every_level(const TactileMap& map, double radius_m = 0.0,
                                 const CurveOptions& options = {});
 
-/// The same with its vertices as they are, or for every fourth seed split at the usual spacing.
+/// Does the same with the vertices as given; every fourth seed splits at the usual spacing.
 [[nodiscard]] Scene scene_of(const TactileMap& map, std::uint64_t seed);
 
-/// k and k + 0.1, 0.5, 0.9 for k = 0 ... coarsest; one beyond the coarsest.
+/// Returns k and k + 0.1, 0.5, 0.9 for k = 0 ... coarsest, and one beyond the coarsest.
 [[nodiscard]] std::vector<double> levels_of(const CurveSet& curves);
 
 struct FromTo {
     Position from, to;
 };
 
-/// A way across the scene or of a picometre, through, from and to vertices and points on segments,
-/// along segments and beyond them, of no length, far away, close by.
+/// Returns a way across the scene or of a picometre: through, from and to vertices and points on
+/// segments, along segments and beyond them, of no length, far away, close by.
 [[nodiscard]] FromTo way(Random& random, const LevelSegments& segments);
 
-/// One aimed at a vertex: in any direction, or along an axis, which is exact.
+/// Returns a way aimed at a vertex: in any direction, or along an axis, which is exact.
 [[nodiscard]] FromTo way_through_vertex(Random& random, const LevelSegments& segments);
 
 }  // namespace touchline::trials

@@ -1,4 +1,4 @@
-// What a line does by its distance, and the bead on it that the hand is tied to: each by itself.
+// What a line does by its distance, and the bead on it that the hand is tied to, each on its own.
 #include "haptics/contact/attachment.h"
 
 #include "haptics/contact/capture_law.h"
@@ -32,7 +32,7 @@ TEST(CaptureLaw, TheForceIsTheSlopeOfTheEnergy) {
     }
 }
 
-/// Its zero is where the hand would come to rest.
+/// The energy is zero where the hand would come to rest.
 TEST(CaptureLaw, TheEnergyIsZeroWhereTheForceLeads) {
     EXPECT_EQ(CaptureLaw(settings_of(Mode::groove)).energy_J(0.0), 0.0);
     EXPECT_EQ(CaptureLaw(settings_of(Mode::stay)).energy_J(0.0), 0.0);
@@ -50,7 +50,7 @@ TEST(CaptureLaw, BeyondItsWidthALineHasNoForce) {
     }
 }
 
-/// One line, and the bead on it.
+/// One line and the bead on it.
 class Bead {
   public:
     Bead(const std::vector<Position>& points, Attachment at)
@@ -80,7 +80,7 @@ TEST(Attachment, SlidesBelowTheHandAndNoFurtherThanItMay) {
     EXPECT_NEAR(bead.slide({90.0 * mm, mm}, far_m).x, 40.0 * mm, 1e-12);  // the line's end
 }
 
-/// From a hollow's one side the way to the other leads past the vertex, which is further off.
+/// From one side of a hollow the way to the other leads past the vertex, which is farther away.
 TEST(Attachment, HopsInsideABendAsFarAsItMay) {
     const std::vector<Position> hollow{{-10.0 * mm, 10.0 * mm}, {0.0, 0.0}, {10.0 * mm, 10.0 * mm}};
     const Position hand{0.5 * mm, 5.0 * mm};
@@ -114,7 +114,7 @@ TEST(Attachment, AllHopsOfATickTogetherAreLimited) {
     EXPECT_NEAR(std::atan2(goal.y, goal.x), middle, 1e-9);
 }
 
-/// At every place, the ends too, of every piece between two corners.
+/// Tries every place, the ends too, of every piece between two corners.
 TEST(Attachment, KeepsItsPlaceWhereTheLevelChanges) {
     std::vector<Position> points;
     for (int i = 0; i <= 32; ++i) points.push_back({mm * i, 0.2 * mm * std::sin(0.4 * i)});

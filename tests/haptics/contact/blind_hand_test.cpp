@@ -1,4 +1,4 @@
-// A hand that knows nothing of the line: can it follow a groove round?
+// Can a hand that knows nothing of the line follow a groove round?
 #include "haptics/contact/contact_machine.h"
 #include "haptics/resolution/level_rule.h"
 #include "tests/haptics/scenes.h"
@@ -16,8 +16,7 @@
 namespace touchline {
 namespace {
 
-/// Without mass: 3 N s/m, pushing with 0.09 N along its own mean direction over the last 5 mm of
-/// its way.
+/// Has no mass and 3 N s/m; pushes with 0.09 N along the mean direction of its last 5 mm.
 class BlindHand {
   public:
     BlindHand(Position start, Direction initial) : at_(start) {
@@ -32,7 +31,7 @@ class BlindHand {
         at_ += moved;
         way_.push_back(at_);
         length_m_ += norm(moved);
-        while (true) {  // forgets what lies further back than 5 mm of its way
+        while (true) {  // forgets its way beyond the last 5 mm
             const Position first = way_[1] - way_[0];
             const double spare_m = length_m_ - memory_m;
             if (spare_m < norm(first)) {
@@ -77,7 +76,7 @@ class Route {
 
     [[nodiscard]] Position station(int i) const { return stations_[static_cast<std::size_t>(i)]; }
 
-    /// The nearest of the stations up to 2 mm further on; further than that is skipping.
+    /// Returns the nearest of the stations up to 2 mm ahead; farther ahead would be skipping.
     [[nodiscard]] int onward(int from, Position p) const {
         int best = from;
         for (int i = from; i <= std::min(last(), from + 8); ++i) {
@@ -102,7 +101,7 @@ struct Followed {
 
 enum class LevelChoice { finest, by_speed };
 
-/// From the line's first point along it until all of it is visited in order, or for so long.
+/// Follows the line from its first point until all of it is visited in order, or time is up.
 Followed follow(const Outline& line, LevelChoice choice, double longest_s) {
     const Scene scene = build_scene(scenes::map_of({line}), {}, 0.0).value();
     const Route route(line);
@@ -141,7 +140,7 @@ Followed follow(const Outline& line, LevelChoice choice, double longest_s) {
     return run;
 }
 
-/// A closed polygon with its corners rounded to a radius, in steps of 5 degrees; it begins in the
+/// A closed polygon with its corners rounded to a radius, in steps of 5 degrees; begins in the
 /// middle of a side.
 Outline rounded(const std::vector<Position>& corners, double radius_m) {
     const std::size_t count = corners.size();
@@ -215,7 +214,7 @@ TEST(BlindHand, FollowsAGrooveRoundCircleSquareStarAndSpiral) {
     }
 }
 
-/// A bend between two sides of 30 mm, as sharp as it is.
+/// A bend between two sides of 30 mm, with a sharp vertex.
 Outline bend(double turn_rad) {
     const Position out = 0.03 * Position{std::cos(turn_rad), std::sin(turn_rad)};
     return scenes::outline({{-0.03, 0.0}, {0.0, 0.0}, out}, false);
@@ -239,7 +238,7 @@ TEST(BlindHand, ComesToRestAtASharpTip) {
         EXPECT_LE(norm(run.end), 0.001) << degrees;
         EXPECT_LE(run.end_speed_m_per_s, 1e-4) << degrees;
         EXPECT_LE(run.jump_N, 0.03) << degrees;
-        EXPECT_LE(run.reached, 0.51) << degrees;  // nothing beyond the tip was skipped to
+        EXPECT_LE(run.reached, 0.51) << degrees;  // skipped nothing beyond the tip
     }
 }
 

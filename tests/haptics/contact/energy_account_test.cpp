@@ -1,4 +1,4 @@
-// What a moving wall may do to the hand, and how a gap of the force closes.
+// What a moving wall may do to the hand, and how a gap in the force closes.
 #include "haptics/contact/energy_account.h"
 
 #include "haptics/contact/gap_fade.h"
@@ -24,7 +24,7 @@ TEST(EnergyAccount, EarnsWhatWasDissipatedAndATrickle) {
     other.earn(1e-4, tick_s);
     EXPECT_NEAR(other.balance_J(), 1e-4 + trickle_J, tiny_J);
     EnergyAccount none;
-    none.earn(-1e-4, tick_s);  // the hand was given it: no debt, and no credit
+    none.earn(-1e-4, tick_s);  // given to the hand: neither debt nor credit
     EXPECT_NEAR(none.balance_J(), trickle_J, tiny_J);
 }
 
@@ -59,7 +59,7 @@ TEST(EnergyAccount, SpendsWhatItHasAndNothingOfWhatItHasNot) {
     EXPECT_EQ(account.balance_J(), 0.0);
 }
 
-/// 0.02 N a tick, along the gap, until nothing is left.
+/// Closes by 0.02 N a tick along the gap until nothing is left.
 TEST(GapFade, ClosesByTwentyNewtonsASecond) {
     GapFade gap;
     EXPECT_FALSE(gap.is_open());

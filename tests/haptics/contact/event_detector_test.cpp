@@ -1,4 +1,4 @@
-// What is told of the hand: everything that happens, and no storm of it.
+// What the detector tells of the hand: everything that happens, and no flood of it.
 #include "haptics/contact/event_detector.h"
 
 #include "tests/haptics/contact/hold_rig.h"
@@ -21,7 +21,7 @@ using enum ContactEventKind;
 using scenes::map_of;
 using scenes::outline;
 
-/// A machine and what is told of it.
+/// A machine and the events that it causes.
 class Told {
   public:
     Told(const TactileMap& map, Mode mode, Position start, const CurveOptions& options = {})
@@ -45,7 +45,7 @@ class Told {
         time_s_ += tick_s;
     }
 
-    /// At 50 mm/s.
+    /// Moves the hand at 50 mm/s.
     void go(Position to) {
         const Position from = hand_;
         const int ticks = static_cast<int>(std::ceil(norm(to - from) / 5e-5));
@@ -54,7 +54,7 @@ class Told {
         }
     }
 
-    /// In order; forgets them.
+    /// Returns the events in order and forgets them.
     std::vector<ContactEventKind> kinds() {
         std::vector<ContactEventKind> found;
         for (const ContactEvent& event : events_) found.push_back(event.kind);
@@ -128,7 +128,7 @@ TEST(EventDetector, ALineThatTakesOverIsCrossedAndAnotherOutline) {
 TEST(EventDetector, VerticesAndEndsAreToldOnceEachWay) {
     const TactileMap corner = map_of({outline({{-0.02, 0.0}, {0.0, 0.0}, {0.0, 0.02}}, false)});
     for (const Mode mode : {Mode::wall, Mode::groove}) {
-        const double off_m = mode == Mode::wall ? 0.001 : 0.0;  // pressed from inside
+        const double off_m = mode == Mode::wall ? 0.001 : 0.0;  // presses from inside
         Told told(corner, mode, {-0.01, 0.001});
         told.run(100);
         told.go({-0.01, -off_m});
@@ -221,7 +221,7 @@ TEST(EventDetector, TellsOfAWallThatGaveWay) {
     EXPECT_EQ(told.kinds(), (Kinds{contact_made, popped_through, contact_lost}));
 }
 
-/// The most events of one kind within a second.
+/// Returns the most events of one kind within a second.
 int most_in_a_second(const std::vector<ContactEvent>& events) {
     int most = 0;
     for (const ContactEvent& first : events) {
@@ -238,7 +238,7 @@ int most_in_a_second(const std::vector<ContactEvent>& events) {
 TEST(EventDetector, AHandAtRestWithNoiseMakesNoStorm) {
     const TactileMap map = map_of({outline({{-0.02, 0.0}, {0.0, 0.0}, {0.0, 0.02}}, false),
                                    outline({{0.0, 0.0}, {0.02, -0.01}}, false)});
-    const std::array<Position, 6> places{{{0.0, 0.0},       // on the vertex, also of another line
+    const std::array<Position, 6> places{{{0.0, 0.0},       // on the vertex, also another line's
                                           {-0.01, 0.0},     // on a line
                                           {-0.02, 0.0},     // on its end
                                           {-0.01, 0.003},   // at the edge of the capture

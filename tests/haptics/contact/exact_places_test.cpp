@@ -1,5 +1,4 @@
-// Handles that are exactly on a line, at its end or behind a vertex, where one rounding more or
-// less decides.
+// Handles exactly on a line, at its end or behind a vertex, where a single rounding decides.
 #include "haptics/contact/contact_machine.h"
 #include "tests/haptics/contact/judge.h"
 #include "tests/haptics/scenes.h"
@@ -14,8 +13,8 @@ namespace {
 
 constexpr double pitch_m = 0x1p-8;
 
-/// A machine led through handle positions in units of the pitch. Edges longer than `spacing_m` are
-/// split.
+/// Leads a machine through handle positions in units of the pitch. Splits edges longer than
+/// `spacing_m`.
 ContactReport after(const std::vector<Outline>& lines, double radius_m, double friction,
                     const std::vector<Position>& handles, double spacing_m = 1.0) {
     CurveOptions options;
@@ -98,7 +97,7 @@ TEST(ExactPlace, OnASharpTipIsTouchedOnItsOuterSide) {
     }
 }
 
-/// What a motion is known to be free of is not known of one that is rounding.
+/// What a motion is known to be free of says nothing about one that is mere rounding.
 TEST(ExactPlace, AMotionBelowRoundingProvesNothing) {
     const Scene scene = build_scene(scenes::map_of({line({-1, 0}, {1, 0})}), {}, 0.0).value();
     const ContactSettings settings;
@@ -111,7 +110,7 @@ TEST(ExactPlace, AMotionBelowRoundingProvesNothing) {
     EXPECT_GE(report.p_WP.y, 0.0);
 }
 
-/// Wherever it starts: on a vertex, on an edge, between two with less room than its radius.
+/// It may start anywhere: on a vertex, on an edge, between two with less room than its radius.
 TEST(DiscWithoutRoom, CrossesNoLine) {
     const Outline ring = scenes::outline({{-pitch_m, -pitch_m}, {0, -pitch_m}, {0, 0}}, true);
     const Scene scene = build_scene(scenes::map_of({ring}), {}, 1e-3).value();

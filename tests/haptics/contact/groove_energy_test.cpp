@@ -39,8 +39,8 @@ TEST(Groove, NoClosedLoopOfTheHandGainsEnergy) {
             force = next;
             before = handle;
         }
-        // The energy of the deepest point is 1e-3 J; the rest is the trapezoid rule's, and in stay
-        // what the hops inside the bend take.
+        // The energy of the deepest point is 1e-3 J; the rest is the trapezoid rule's error, and in
+        // stay what the hops inside the bend take.
         EXPECT_LE(work_J, 1e-7) << static_cast<int>(mode);
         EXPECT_GE(work_J, mode == Mode::stay ? -2e-5 : -1e-7) << static_cast<int>(mode);
     }
@@ -60,8 +60,8 @@ double steepest_N_per_m(const ContactSettings& settings) {
 
 constexpr int rounds = 4;
 
-/// A smooth closed path about `centre`, gone round once to begin with and then `rounds` times.
-/// Every 0.2 s the level goes from `level` to `other` or back.
+/// Goes along a smooth closed path about `centre`, once to begin with and then `rounds` times.
+/// Changes the level from `level` to `other` or back every 0.2 s.
 Loops go_round(const Scene& scene, Mode mode, double level, double other, Position centre,
                double size_m, std::mt19937& random) {
     std::uniform_real_distribution<double> unit(-1.0, 1.0);
@@ -102,7 +102,7 @@ Loops go_round(const Scene& scene, Mode mode, double level, double other, Positi
     return loops;
 }
 
-/// What a line may hold when the rounds begin.
+/// Returns the most energy that a line may hold when the rounds begin.
 double most_stored_J(const ContactSettings& settings) {
     const CaptureLaw law(settings);
     return std::max(law.energy_J(0.0), law.energy_J(settings.capture_m));

@@ -89,7 +89,7 @@ TEST(Groove, AHandBetweenTwoRidgesComesToRest) {
     EXPECT_LE(moved_m, 1e-7);
 }
 
-/// How far a hand of 3 N s/m gets that pushes off a line for two seconds.
+/// Returns how far a hand of 3 N s/m gets that pushes off a line for two seconds.
 double way_off_m(Mode mode, double push_N) {
     const Scene scene = scene_of(map_of({outline({{-0.05, 0.0}, {0.05, 0.0}}, false)}));
     ContactMachine machine;
@@ -133,7 +133,7 @@ TEST(Groove, AChangeOfLevelMovesTheLineUnderARestingHandGently) {
             for (int i = 0; i < 6000; ++i) {
                 const double wanted = (i / 1500) % 2 == 0 ? coarsest - 0.5 : 0.0;
                 const ContactReport report = machine.step(hand, wanted, settings_of(mode), {});
-                // 0.015 N by the level; a strand that came nearer takes over as gently.
+                // The level may change 0.015 N; a strand that came nearer takes over as gently.
                 ASSERT_LE(norm(report.force - force), 0.03) << static_cast<int>(mode) << " " << i;
                 force = report.force;
                 if (i % 1500 == 1499) {

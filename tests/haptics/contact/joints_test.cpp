@@ -1,5 +1,5 @@
-// Where a line goes straight on: over a vertex, from one outline to the next, over a gap narrower
-// than the proxy. Nothing may be felt there.
+// Where a line goes straight on, nothing may be felt: over a vertex, from one outline to the next,
+// over a gap narrower than the proxy.
 #include "haptics/contact/contact_machine.h"
 #include "tests/haptics/scenes.h"
 
@@ -37,11 +37,11 @@ TEST(Joint, ADiscThatComesDownBesideAVertexOfAStraightLineStaysAboveIt) {
 }
 
 struct Slide {
-    double farthest_lag_m = 0.0;  // of the proxy behind where the hand has it
+    double farthest_lag_m = 0.0;  // of the proxy behind the hand
     double least_height_m = 1.0;
 };
 
-/// 95 mm along 100 outlines of 1 mm end to end, 1 mm behind them, 50 um a step.
+/// Slides 95 mm along 100 outlines of 1 mm end to end, 1 mm behind them, 50 um a step.
 Slide slide_over(double gap_m, double radius_m, double friction) {
     std::vector<Outline> lines;
     for (int i = 0; i < 100; ++i) {

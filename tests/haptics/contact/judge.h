@@ -1,5 +1,5 @@
 // An independent judge of the proxy: knows the segments of a scene as rendered and exact
-// predicates, nothing of the collision tree or the contact machine.
+// predicates, but neither the collision tree nor the contact machine.
 #pragma once
 
 #include "config/types/vec2.h"
@@ -14,19 +14,20 @@ namespace touchline {
 
 class Judge {
   public:
-    /// Segments of the curves as rendered at `level`, in cells of `cell_m`.
+    /// Takes the segments of the curves as rendered at `level`, in cells of `cell_m`.
     Judge(const CurveSet& curves, double level, double cell_m);
 
-    /// True when the straight way from a to b meets no segment.
+    /// Whether the straight way from a to b meets no segment.
     [[nodiscard]] bool is_free(Position a, Position b) const;
 
-    /// True when every stretch of the path is free.
+    /// Whether every stretch of the path is free.
     [[nodiscard]] bool is_free(std::span<const Position> path) const;
 
     [[nodiscard]] double distance_m(Position p, double within_m) const;
 
-    /// Largest cut of |proxy - handle| found among small free motions of the proxy: towards the
-    /// handle, along every segment within 1 mm and in 72 directions, 1e-8 to 1e-4 m long.
+    /// Returns the largest cut of |proxy - handle| found among small free motions of the proxy:
+    /// towards the handle, along every segment within 1 mm and in 72 directions, 1e-8 to 1e-4 m
+    /// long.
     [[nodiscard]] double possible_gain_m(Position proxy, Position handle) const;
 
   private:

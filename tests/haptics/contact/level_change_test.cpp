@@ -1,4 +1,4 @@
-// Changes of level under the hand: the wall moves, the proxy goes along and keeps its side.
+// Changes of level under the hand: the wall moves, and the proxy follows and keeps its side.
 #include "haptics/contact/contact_machine.h"
 #include "tests/bench/workload.h"
 #include "tests/haptics/contact/hold_rig.h"
@@ -28,7 +28,7 @@ struct Outcome {
     int sides_flipped = 0;
 };
 
-/// A hand that presses in and out along the ring while another level is wanted now and then.
+/// Presses in and out along the ring while the wanted level changes now and then.
 Outcome wander(const Scene& scene, unsigned seed, const ContactSettings& settings, int steps) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> unit(0.0, 1.0);
@@ -137,7 +137,7 @@ TEST(LevelChange, IsAtOnceWhereTheProxyIsFarFromEveryBox) {
 }
 
 TEST(LevelChange, DoesNoMoreWorkOnTheHandThanTheHandDid) {
-    // Pressed at the middle of a coarse chord, the level is changed to and fro every 50 ms.
+    // The hand presses at the middle of a coarse chord; the level changes every 50 ms.
     const Scene scene = scene_of(scenes::map_of({scenes::circle(0.03, 512)}));
     ContactMachine machine;
     machine.reset(scene, {0.0, 0.035}, 0.0);
@@ -149,7 +149,7 @@ TEST(LevelChange, DoesNoMoreWorkOnTheHandThanTheHandDid) {
         const double wanted = (i / 50) % 2 == 0 ? coarse : 0.0;
         const ContactReport report = machine.step(handle, wanted, {}, {});
         const double now_J = 0.5 * stiffness_N_per_m * std::pow(norm(report.p_WP - handle), 2);
-        if (i > 0) work_J += now_J - stored_J;  // the hand hardly moves: the wall's work
+        if (i > 0) work_J += now_J - stored_J;  // the hand hardly moves, so this is the wall's work
         stored_J = now_J;
     }
     EXPECT_LE(work_J, 20.0 * 1e-4 + 1e-4);

@@ -1,4 +1,4 @@
-// What a contact machine tells beside the force, and that one which is reset is as good as new.
+// What a contact machine reports beside the force, and that a reset machine is as good as new.
 #include "haptics/contact/contact_machine.h"
 #include "tests/haptics/contact/hold_rig.h"
 #include "tests/haptics/scenes.h"
@@ -36,8 +36,8 @@ Scene busy_scene() {
     return build_scene(map, {}, 1e-3).value();
 }
 
-/// Presses, slides off the line's end, comes back, is pushed through, while the level goes to and
-/// fro. Every report of it.
+/// Presses, slides off the line's end, comes back and is pushed through while the level changes to
+/// and fro. Returns every report.
 std::vector<ContactReport> session(ContactMachine& machine, Mode mode) {
     std::vector<ContactReport> all;
     for (int i = 0; i < 400; ++i) {
@@ -60,7 +60,8 @@ void expect_equal(const ContactReport& a, const ContactReport& b) {
     ASSERT_EQ(a.boxes, b.boxes);
 }
 
-/// Wherever it was stopped: pressed, in a fade, half through a wall, beside an end, at a level.
+/// It may have been stopped anywhere: pressed, in a fade, half through a wall, beside an end, at a
+/// level.
 TEST(ContactReset, AMachineThatIsResetIsAsNew) {
     const Scene scene = busy_scene();
     const Position start{-0.02, 4e-3};
@@ -112,7 +113,7 @@ TEST(ContactReport, AGrooveStoresWhatItsLawSays) {
     }
 }
 
-/// What could not be used changes nothing, and is told as it was.
+/// A step without a handle changes nothing and reports the proxy as it was.
 TEST(ContactReport, WithoutAHandleTheProxyIsToldWhereItIs) {
     EXPECT_EQ(ContactReport{}.stored_J, 0.0);
     const Scene scene = scene_of(map_of({scenes::circle(0.03, 256)}));
@@ -125,7 +126,7 @@ TEST(ContactReport, WithoutAHandleTheProxyIsToldWhereItIs) {
     EXPECT_EQ(report.state, ContactState::free);
 }
 
-/// Without time nothing moves either.
+/// A step without time moves nothing either.
 TEST(ContactReport, NoTimeMovesNothing) {
     const Scene scene = scene_of(map_of({scenes::circle(0.03, 256)}));
     ContactMachine machine;
@@ -146,7 +147,7 @@ TEST(ContactReport, LevelsBeyondTheFinestAndTheCoarsestAreThose) {
     EXPECT_EQ(machine.rendered_level(), 0.0);
 }
 
-/// Queries of a step share one budget: widening, a push through, a change of level, the way.
+/// All queries of a step share one budget: widening, a push through, a change of level, the way.
 TEST(ContactReport, AStepOpensNoMoreBoxesThanItMay) {
     const Scene scene = busy_scene();
     for (const Mode mode : all_modes) {
@@ -170,8 +171,8 @@ TEST(ContactReport, AStepOpensNoMoreBoxesThanItMay) {
     }
 }
 
-/// A deadline of long ago leaves the proxy where it is, held by what it is behind; one that never
-/// comes is none.
+/// A deadline long past leaves the proxy where it is, held by what it is behind; one that never
+/// comes has no effect.
 TEST(ContactReport, AStepThatIsLateMovesNothing) {
     const Scene scene = busy_scene();
     constexpr std::int64_t never_ns = std::numeric_limits<std::int64_t>::max();
@@ -194,7 +195,7 @@ TEST(ContactReport, AStepThatIsLateMovesNothing) {
     }
 }
 
-/// Beside the corner where it left the line, a proxy is beyond no end: the line goes on there.
+/// A proxy beside the corner where it left the line is beyond no end: the line goes on there.
 TEST(ContactReport, ACornerIsNoEnd) {
     const Scene scene =
         scene_of(map_of({outline({{-0.01, 0.0}, {0.0, 0.0}, {0.0, -0.01}}, false)}));
@@ -208,7 +209,7 @@ TEST(ContactReport, ACornerIsNoEnd) {
     EXPECT_FALSE(report.is_at_end);
 }
 
-/// What was free for a point is not free for a disc.
+/// What was free for a point may not be free for a disc.
 TEST(ContactReport, ADiscThatHasGrownLooksAnew) {
     constexpr double radius_m = 1e-3;
     const Scene scene =
@@ -223,7 +224,7 @@ TEST(ContactReport, ADiscThatHasGrownLooksAnew) {
     EXPECT_GE(report.p_WP.y, radius_m - 1e-9);
 }
 
-/// As a servo that starts anew does with what the one before has left, its scene elsewhere.
+/// A new servo does the same with the state that the last one left, its scene at another address.
 TEST(ContactRebind, AMachineGoesOnWithItsSceneElsewhere) {
     const Scene scene = busy_scene();
     for (const Mode mode : all_modes) {
@@ -242,7 +243,7 @@ TEST(ContactRebind, AMachineGoesOnWithItsSceneElsewhere) {
                 ASSERT_TRUE(moved.rebind(&elsewhere)) << static_cast<int>(mode) << ' ' << stop;
                 path.clear();
                 const auto found = session(moved, mode);
-                EXPECT_TRUE(path.empty());  // that was the other's
+                EXPECT_TRUE(path.empty());  // belonged to the other machine
                 const auto expected = session(machine, mode);
                 for (std::size_t i = 0; i < found.size(); ++i) expect_equal(found[i], expected[i]);
             }
@@ -261,7 +262,7 @@ TEST(ContactRebind, WithoutASceneThereIsNoForceUntilTheReset) {
     EXPECT_GT(machine.step({0.0, -0.002}, 0.0, {}, {}).force.y, 0.9);
 }
 
-/// What it touches is not there.
+/// The other scene lacks what the machine touches.
 TEST(ContactRebind, AMachineDoesNotFitAnotherScene) {
     const Outline low = outline({{-0.05, -0.02}, {0.05, -0.02}}, false);
     const Outline bent = outline({{-0.02, 0.02}, {0.0, 0.0}, {0.02, 0.02}}, false);

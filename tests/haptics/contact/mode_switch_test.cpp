@@ -1,5 +1,5 @@
-// Switching the mode under the hand: the force goes on from what it was, and a wall begins on the
-// handle's side.
+// Switching the mode under the hand: the force goes on from its last value, and a wall begins on
+// the handle's side.
 #include "haptics/contact/contact_machine.h"
 #include "tests/haptics/contact/hold_rig.h"
 #include "tests/haptics/scenes.h"
@@ -80,7 +80,7 @@ TEST(ModeSwitch, AWallBeginsOnTheHandlesSideWithoutPushing) {
                 ASSERT_NEAR(norm(report.p_WP - hand), 0.0, 1e-9) << y;
             }
             EXPECT_NEAR(norm(report.force), 0.0, 1e-6);
-            // Through the line: held on that side.
+            // Crosses the line, and is held on that side.
             report = machine.step({0.0, -y}, 0.0, settings, {});
             EXPECT_EQ(report.state, ContactState::edge);
             EXPECT_GT(report.p_WP.y * y, 0.0);

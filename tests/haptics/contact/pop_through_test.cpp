@@ -1,4 +1,4 @@
-// A wall that gives way to a push that is meant, and to no other.
+// A wall gives way to a deliberate push, and to no other.
 #include "haptics/contact/contact_machine.h"
 #include "tests/haptics/scenes.h"
 
@@ -96,7 +96,8 @@ TEST(PopThrough, NeverPassesASecondLine) {
                 ContactMachine machine;
                 machine.reset(scene, {0.01, 0.003}, 0.0);
                 const Push done = push(machine, settings, 0.01, 0.006, 0.0, ticks);
-                // The next line takes a push of its own, as long again; two in one place hold.
+                // The next line takes a push of its own, as long again; two lines in one place
+                // hold.
                 const int lines = ticks == 500 ? 1 : 2;
                 EXPECT_EQ(done.pops, behind_m > 0.0 ? lines : 0);
                 if (lines == 1) {
@@ -108,7 +109,7 @@ TEST(PopThrough, NeverPassesASecondLine) {
     }
 }
 
-/// Into the hollow of a smooth curve a push keeps finding vertices, one beside the other.
+/// A push into the hollow of a smooth curve keeps finding vertices, one beside the other.
 TEST(PopThrough, ACurveGivesWayFromWithinAndFromWithout) {
     for (const double radius_m : {0.0, 0.0014}) {
         for (const double bend : {-1.0, 1.0}) {

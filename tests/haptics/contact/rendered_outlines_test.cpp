@@ -23,7 +23,7 @@ Scene scene_of(const std::vector<std::vector<Position>>& lines) {
     return build_scene(scenes::map_of(made), options, 0.0).value();
 }
 
-/// Each edge of the outline that begins with that piece, along it.
+/// Returns each edge of the outline that begins with that piece, in order.
 std::vector<Edge> edges(RenderedOutlines& outlines, int piece = 0) {
     std::vector<Edge> found;
     for (SegmentRef at{piece, 0}; at.piece >= 0; at = outlines.next(at, true))
@@ -44,7 +44,7 @@ TEST(RenderedOutlines, KnowAnEdgesDirectionAndLength) {
     EXPECT_NEAR(found[1].length_m, 6.0 * mm, 1e-15);
 }
 
-/// To the end of a line, and up to an edge that does not run back beside it.
+/// A slide is open up to the end of a line, and up to an edge that does not run back beside it.
 TEST(RenderedOutlines, ASlideIsOpenWhereNothingRunsBack) {
     const Scene scene = scene_of({{{0, 0}, {10, 0}, {20, 2}, {14, 6}, {4, 8}}});
     RenderedOutlines outlines(scene, 0.0);
@@ -66,7 +66,7 @@ TEST(RenderedOutlines, ASlideIsOpenIntoARightAngle) {
     EXPECT_TRUE(found[1].is_open_behind);
 }
 
-/// Of what is blended, or has another line near, less is known.
+/// Less is known of a blended line, or of one with another line near.
 TEST(RenderedOutlines, NoSlideIsOpenBetweenLevelsOrBesideAnotherLine) {
     const Scene scene = scene_of({{{0, 0}, {10, 0}}, {{0, 20}, {10, 20}}, {{5, 19}, {5, 21}}});
     for (const double level : {0.0, 0.5}) {

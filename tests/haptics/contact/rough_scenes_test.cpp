@@ -1,5 +1,5 @@
 // Scenes rougher than any picture: corners on a grid of 1 mm, lines on lines and back on
-// themselves, sharp tips, T junctions, points given twice; a hand at up to 1 m/s that also jumps.
+// themselves, sharp tips, T junctions, repeated points; a hand at up to 1 m/s that also jumps.
 #include "tests/haptics/contact/step_rules.h"
 #include "tests/haptics/scenes.h"
 
@@ -49,14 +49,14 @@ Position next_corner(Random& random, Position at) {
     return {std::clamp(next.x, -most_m, most_m), std::clamp(next.y, -most_m, most_m)};
 }
 
-/// Back over the last points, as far as all of them.
+/// Goes back over the last points, as far as all of them.
 void retrace(Random& random, std::vector<Position>& points) {
     const std::size_t last = points.size() - 1;
     const auto back = static_cast<std::size_t>(random.below(static_cast<int>(points.size())));
     for (std::size_t i = 1; i <= back; ++i) points.push_back(points[last - i]);
 }
 
-/// Out by 4 to 8 units and back beside itself.
+/// Goes out by 4 to 8 units and back beside itself.
 void add_tip(Random& random, std::vector<Position>& points) {
     const Position foot = points.back();
     const double out_m = grid_m * (4 + random.below(5)) * (random.below(2) == 0 ? 1.0 : -1.0);
@@ -65,7 +65,7 @@ void add_tip(Random& random, std::vector<Position>& points) {
     points.push_back(foot + (is_level ? Position{0.0, grid_m} : Position{grid_m, 0.0}));
 }
 
-/// Where it starts: anywhere, on a vertex of another outline or half-way along one of its edges.
+/// Returns a start: anywhere, on a vertex of another outline or half-way along one of its edges.
 Position start_of(Random& random, const std::vector<Outline>& others) {
     const int kind = others.empty() ? 0 : random.below(3);
     if (kind == 0) return random.place();
@@ -78,7 +78,7 @@ Position start_of(Random& random, const std::vector<Outline>& others) {
 }
 
 Outline rough_outline(Random& random, const std::vector<Outline>& others) {
-    if (!others.empty() && random.below(6) == 0) {  // the last one again, the other way round
+    if (!others.empty() && random.below(6) == 0) {  // the last one again, reversed
         Outline again = others.back();
         std::reverse(again.points.begin(), again.points.end());
         return again;
@@ -110,7 +110,7 @@ TactileMap rough_map(Random& random) {
     return scenes::map_of(std::move(made));
 }
 
-/// Wanders at up to 1 m/s, and jumps: anywhere, and exactly onto the grid.
+/// Wanders at up to 1 m/s, and jumps: anywhere, or exactly onto the grid.
 class Hand {
   public:
     explicit Hand(Random& random) : random_(random), at_(random.place()) {}
@@ -185,7 +185,7 @@ std::vector<Case> all_cases() {
 
 INSTANTIATE_TEST_SUITE_P(LevelsRadiiAndFriction, RoughScene, testing::ValuesIn(all_cases()));
 
-/// Only one of its two tips is a pin; coarse levels have a segment that is a point at the other.
+/// Only one of the two tips is a pin; at the other, coarse levels have a segment that is a point.
 TEST(RoughScene, IsRoundedAtTheTipsOfALineThatRunsBackAtEveryLevel) {
     CurveOptions options;
     options.spacing_m = 0.25 * grid_m;

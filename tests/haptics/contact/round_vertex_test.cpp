@@ -32,7 +32,7 @@ TEST(RoundVertex, GoesToTheEdgeWhenTheHandleLiesBehindTheVertex) {
     EXPECT_EQ(goal.end, ArcGoal::End::edge);
     EXPECT_EQ(goal.turn, 1.0);
     EXPECT_EQ(goal.angle_rad, 0.6);
-    // Straight behind: both ways are downhill, the shorter is taken.
+    // Straight behind: both ways are downhill, so the shorter one is taken.
     EXPECT_EQ(arc_goal({0, 1}, {0.0, -radius_m}, radius_m, 0.9, 0.7, 0.0).turn, -1.0);
 }
 

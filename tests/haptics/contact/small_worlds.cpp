@@ -26,7 +26,7 @@ int image_of(int place, int symmetry) {
     return side * y + x;
 }
 
-/// One of those that turn or mirror into each other stands for all.
+/// One world stands for all that turn or mirror into each other.
 bool is_first_of_images(const std::vector<int>& world) {
     for (int symmetry = 1; symmetry < 8; ++symmetry) {
         std::vector<int> image;

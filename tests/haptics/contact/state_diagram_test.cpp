@@ -1,5 +1,5 @@
 // The paper's state diagram (section 4) on every small world: three points, or two segments of two
-// outlines, a point and a disc, without and with friction, under short sequences of handle
+// outlines, a point and a disc, with and without friction, under short sequences of handle
 // positions. TOUCHLINE_EXHAUSTIVE=1 takes all sequences of three (tests/README.md).
 #include "tests/haptics/collision/trials.h"
 #include "tests/haptics/contact/small_worlds.h"
@@ -20,16 +20,16 @@ namespace {
 
 constexpr int most_messages = 5;
 constexpr int settling_steps = 16;
-constexpr std::size_t most_way_points = 64;  // 256 walks would be as many at least
+constexpr std::size_t most_way_points = 64;  // 256 walks would take at least as many
 constexpr double last_digit_m = 1e-17;
 constexpr double at_rest_m = 1e-14;
 
-/// Of the handle sequences every so many-th start, and so on.
+/// A test takes one in so many first, second and third handle positions.
 struct Strides {
     std::size_t first, second, third;
 };
 
-/// What was seen, so that a test that saw nothing does not pass.
+/// Counts what was seen, so that a test that saw nothing does not pass.
 struct Tally {
     std::size_t steps = 0;
     std::size_t carried = 0;
@@ -37,13 +37,13 @@ struct Tally {
     std::size_t in_two_contacts = 0;
     std::size_t round_a_vertex = 0;
     std::size_t longest_path = 0;
-    double least_width = 1.0;  // of a disc that had room at the start, in radii
+    double least_width = 1.0;  // kept by a disc that had room at the start, in radii
     std::size_t faults = 0;
-    std::size_t restless = 0;  // sequences after which a handle at rest leaves the proxy on its way
+    std::size_t restless = 0;  // sequences that leave the proxy on its way under a handle at rest
     std::uint64_t digest = 0;
 };
 
-/// One world, one proxy.
+/// One world and one proxy.
 class Trial {
   public:
     Trial(const TactileMap& map, const ContactSettings& settings, double spacing_m, Tally& tally)
@@ -60,7 +60,7 @@ class Trial {
             if (++k % strides.first != 0) continue;
             machine.reset(scene_, first, 0.0);
             start_m_ = width_at(machine.proxy().centre);
-            // Between two lines closer than a skin there is no place to start at.
+            // Between two lines closer than a skin there is no place to start.
             if (start_m_ < 0.5 * contact_skin_m) continue;
             for (const Position second : handles) {
                 if (++k % strides.second != 0) continue;
@@ -102,9 +102,8 @@ class Trial {
         return judge_.distance_m(centre, std::max(2.0 * settings_.radius_m, contact_skin_m));
     }
 
-    /// Half a skin is always kept (touch.h). Rounding a vertex
-    /// in chords of 15 degrees costs a disc that had room up to 1 % at another line, twice in these
-    /// sequences.
+    /// The proxy always keeps half a skin (touch.h). Rounding a vertex in chords of 15 degrees
+    /// costs a disc that had room up to 1 % at another line, twice in these sequences.
     void judge_width(Position centre) {
         const double kept_m = width_at(centre);
         if (kept_m < std::min(0.5 * contact_skin_m, start_m_ - last_digit_m))
@@ -129,7 +128,7 @@ class Trial {
         }
     }
 
-    /// Under a handle at rest the proxy comes to rest.
+    /// Lets the proxy come to rest under a handle at rest.
     void settle(ContactMachine& machine, Position handle) {
         for (int i = 0; i < settling_steps; ++i) {
             const Position before = machine.proxy().centre;
@@ -171,7 +170,7 @@ Tally tally_of(const std::vector<TactileMap>& worlds, const Strides& strides) {
         for (const double radius : {0.0, 1e-3}) {
             for (const double friction : {0.0, 0.3}) {
                 const ContactSettings settings{Mode::wall, 500.0, friction, radius, 0.003};
-                // Every third with edges split into straight joints.
+                // Every third trial splits edges into straight joints.
                 const double spacing_m = ++k % 3 == 0 ? 0.5 * small_worlds::pitch_m : 1.0;
                 Trial(world, settings, spacing_m, tally).run(handles, strides, k);
             }
@@ -213,7 +212,7 @@ TEST(StateDiagram, HoldsOnEveryPairOfSegments) {
 TEST(StateDiagram, HoldsWhereTwoSegmentsNearlyMeet) {
     const Strides strides{trials::count(29, 3), trials::count(11, 1), trials::count(7, 3)};
     const Tally tally = expect_the_diagram(small_worlds::near_meetings(), strides);
-    // Not mended: round two ends that are 1 pm apart, less than the contact skin, a point may stay.
+    // Not fixed: round two ends that are 1 pm apart, less than the contact skin, a point may stay.
     EXPECT_LE(tally.restless, 1 + tally.steps / 100'000);
 }
 

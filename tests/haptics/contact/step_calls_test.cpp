@@ -1,6 +1,6 @@
-// A step of the contact machine allocates nothing, locks nothing and asks nothing of the operating
-// system: a million steps on 65536 segments, at level 0 and at the level that the hand's speed
-// asks for. Not built with the sanitizers, which do all three themselves.
+// A step of the contact machine allocates nothing, locks nothing and makes no system call, in a
+// million steps on 65536 segments, at level 0 and at the level that the hand's speed asks for. Not
+// built with the sanitizers, which do all three themselves.
 #include "haptics/contact/contact_machine.h"
 #include "haptics/resolution/level_rule.h"
 #include "tests/bench/workload.h"
@@ -31,7 +31,7 @@ struct Felt {
     std::size_t changes_of_level = 0;
 };
 
-/// The peer workload's hand, to and fro, from beginning to end and back.
+/// The peer workload's hand: goes from beginning to end and back.
 class LongHand {
   public:
     LongHand() : places_(workload::hand(workload::Kind::radial)) {}
@@ -96,7 +96,7 @@ TEST_P(StepCalls, AMillionStepsAllocateAndLockNothing) {
 }
 
 /// Runs `work` in a child that the kernel kills at any system call but read, write and exit.
-/// Returns whether it lived to say so.
+/// Returns whether the child lived to report.
 bool does_without_system_calls(const std::function<bool()>& work) {
     int ends[2];
     if (pipe(ends) != 0) return false;

@@ -49,7 +49,7 @@ Segment segment_of(const StepSeen& step, SegmentRef ref) {
     return step.curves.rendered_segment(ref.piece, step.level, ref.index);
 }
 
-/// Of a bend so slight that a sweep cannot tell it: how far off it puts a contact beyond it.
+/// Returns how far off a bend too slight for a sweep to detect puts a contact beyond it.
 double bend_m(const Contact& at) {
     return std::sqrt(2.0 * approach_tolerance_m * at.offset_m);
 }
@@ -73,7 +73,7 @@ const char* broken_by_contact(const StepSeen& step, std::size_t i) {
     return nullptr;
 }
 
-/// Friction holds along the normal's tangent.
+/// Whether friction holds along the normal's tangent.
 bool is_held_along(const StepSeen& step, const Contact& at) {
     const Position pull = step.handle - step.after.centre;
     const double depth_m = std::max(0.0, -dot(pull, at.normal));
@@ -90,16 +90,16 @@ const char* broken_on_edge(const StepSeen& step) {
     return is_held_along(step, at) ? nullptr : "along an edge only friction holds";
 }
 
-/// The normal lies between those of the two edges at the vertex, or in the half circle round an
-/// end.
+/// Whether the normal lies between those of the two edges at the vertex, or in the half circle
+/// round an end.
 bool is_on_arc(const StepSeen& step, const Contact& at) {
     const bool at_end = at.parameter > 0.5;
     const Segment s = segment_of(step, at.segment);
     const Direction outward = (at_end ? 1.0 : -1.0) * direction_of(s.b - s.a);
     const SegmentRef over = at_end ? step.curves.next(at.segment, step.level)
                                    : step.curves.previous(at.segment, step.level);
-    // A touch of the vertex and one of the edge beside it are the same moment while the edge is
-    // nearer by no more than the tolerance.
+    // A touch of the vertex and one of the edge beside it count as the same moment while the edge
+    // is nearer by at most the tolerance.
     const double least = -std::sqrt(4.0 * approach_tolerance_m / at.offset_m);
     if (dot(at.normal, outward) < least) return false;
     if (over.piece < 0) return true;
@@ -121,8 +121,8 @@ const char* broken_on_arc(const StepSeen& step) {
     return is_held_along(step, at) ? nullptr : "round a vertex only friction holds";
 }
 
-/// The force is positively spanned by the contacts' normals, with friction by their cones' sides:
-/// no way that runs into none of them leads towards the handle.
+/// Whether the contacts' normals, with friction the sides of their cones, positively span the
+/// force: every way towards the handle runs into one of them.
 bool is_spanned(const StepSeen& step) {
     const Position pull = step.handle - step.after.centre;
     const double lean = step.settings.friction;

@@ -1,4 +1,4 @@
-// Which vertices a stride passes, against the same rule in lengths and directions.
+// Compares the vertices that a stride passes with the same rule in lengths and directions.
 #include "haptics/contact/stride.h"
 #include "tests/haptics/scenes.h"
 
@@ -14,7 +14,7 @@ namespace {
 
 constexpr int vertices = 12;
 
-/// A line with as many edges, all alone but those that the second line crosses.
+/// A line with as many edges, all alone except those that the second line crosses.
 Scene scene_of_nodes(bool is_crossed) {
     std::vector<Position> points;
     for (int i = 0; i < vertices; ++i) points.push_back({1e-3 * i, 0.0});
@@ -77,7 +77,7 @@ class Rows {
 
     int below(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random_); }
 
-    /// Long and tiny edges, gentle and sharp turns.
+    /// Makes long and tiny edges, gentle and sharp turns.
     std::vector<Position> points() {
         std::vector<Position> made{{between(-0.01, 0.01), between(-0.01, 0.01)}};
         double heading = between(-3.0, 3.0);
@@ -90,7 +90,7 @@ class Rows {
         return made;
     }
 
-    /// Beside an edge's end, by a little or by much.
+    /// Returns a place beside an edge's end, by a little or by much.
     Position handle(const std::vector<Position>& points) {
         const auto i = static_cast<std::size_t>(1 + below(vertices - 1));
         const Direction along = direction_of(points[i] - points[i - 1]);

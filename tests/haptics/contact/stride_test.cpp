@@ -1,4 +1,4 @@
-// Strides over many short edges against what they stand for: slides looked at one by one.
+// Compares strides over many short edges with what they replace: slides edge by edge.
 #include "haptics/contact/stride.h"
 
 #include "haptics/contact/contact_machine.h"
@@ -18,8 +18,8 @@ struct Agreement {
     double worst_m = 0.0;
 };
 
-/// The same hand through a machine that strides and one whose proxy is just too thick for it, over
-/// the steps that both finish.
+/// Leads the same hand through a machine that strides and one whose proxy is just too thick for it,
+/// over the steps that both finish.
 Agreement agreement(const Scene& scene, const std::vector<Position>& hand, double level,
                     double friction) {
     ContactSettings thin;
@@ -63,8 +63,8 @@ TEST(Stride, EndsWhereSlidesLookedAtOneByOneEnd) {
     }
 }
 
-/// Half-way through the blend of a piece's end, which folds back beside a short piece that is not
-/// blended, the farther half crosses that piece though neither end shape does.
+/// The end of a piece folds back beside a short piece that is not blended. Half-way through the
+/// blend the farther half crosses that piece, though neither end shape does.
 TEST(Stride, DoesNotRunThroughABlendedNeighbour) {
     const std::vector<Position> points{{-.00590648, -.0100101},   {-.00512735, -.00845439},
                                        {-.00449416, -.00677188},  {-.0036376, -.00485739},
@@ -82,7 +82,7 @@ TEST(Stride, DoesNotRunThroughABlendedNeighbour) {
     EXPECT_LT(report.p_WP.x, 0.0005);  // held where the neighbour crosses
 }
 
-/// A row of 1 mm edges to the right, whose heights are given.
+/// A row of 1 mm edges to the right, with given heights.
 class Row : public testing::Test {
   protected:
     int passed(const std::vector<double>& heights_m, Position handle, int most = 100) {

@@ -1,5 +1,5 @@
 // Everything that may change under a hand changes, at random and at once: level, stiffness, mode.
-// What the hand does not do itself it hardly feels.
+// The hand hardly feels what it does not do itself.
 #include "haptics/contact/contact_machine.h"
 #include "haptics/safety/stiffness_ramp.h"
 #include "tests/haptics/scenes.h"
@@ -18,20 +18,20 @@ namespace touchline {
 namespace {
 
 constexpr double radius_m = 2e-3;     // of the proxy
-constexpr double deepest_m = 1.4e-3;  // so that the radius is 1.4 F / K
+constexpr double deepest_m = 1.4e-3;  // so the radius is 1.4 F / K
 constexpr double ring_m = 0.03;
 constexpr double smooth_level =
-    3.0;  // 64 edges: coarser ones move the line by more than is pressed
+    3.0;  // 64 edges: coarser ones would move the line by more than the hand presses
 
 struct Changes {
     int steps = 0;
     int levels = 0;
     int stiffnesses = 0;
     int modes = 0;
-    double worst = 0.0;  // of the steps of force, as a share of what is allowed
+    double worst = 0.0;  // largest step of force, as a share of the allowed one
 };
 
-/// Of a mode's force over the hand's way: of a wall at a rounded convex vertex.
+/// Returns the slope of a mode's force over the hand's way; for a wall at a rounded convex vertex.
 double slope(Mode mode) {
     if (mode == Mode::wall) return 2.5;
     return mode == Mode::stay ? 8.0 : 1.0;

@@ -1,4 +1,4 @@
-// The peer workload (tests/bench/workload.h), level 0, wall mode, point proxy: nothing is let
+// The peer workload (tests/bench/workload.h), level 0, wall mode, point proxy: it lets nothing
 // through, the proxy is as near to the hand as the curve allows, and it never slips off.
 #include "tests/bench/workload.h"
 
@@ -31,7 +31,7 @@ struct Outcome {
 };
 
 constexpr double slip_m =
-    0.010;  // a gap that a desk-top pantograph cannot hold: the hand is taken to have slipped
+    0.010;  // a gap that a desk-top pantograph cannot hold: the hand counts as slipped
 constexpr int gain_every = 97;  // the search for a nearer place is slow
 
 Outcome run(const Work& work, std::size_t steps) {

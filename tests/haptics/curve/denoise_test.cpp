@@ -48,7 +48,7 @@ std::vector<Shape> shapes() {
             {"square", scenes::square(0.05, 128)}};
 }
 
-/// White noise on every point but the corners, which are known.
+/// Adds white noise to every point except the corners, which are known.
 TactileMap with_noise(const Outline& outline, double sigma_m, unsigned seed) {
     std::mt19937 random(seed);
     std::normal_distribution<double> noise(0.0, sigma_m);
@@ -62,11 +62,11 @@ TactileMap with_noise(const Outline& outline, double sigma_m, unsigned seed) {
 }
 
 struct Off {
-    double rms_m = 0.0;      // of the rendered points from the true shape
+    double rms_m = 0.0;      // distance of the rendered points from the true shape
     double slope_rad = 0.0;  // root mean square, weighted by length
 };
 
-/// How far a level lies from the true shape.
+/// Returns how far a level lies from the true shape.
 Off off(const CurveSet& curves, int level, const Outline& truth) {
     double squares = 0.0;
     double slope_squares = 0.0;
@@ -102,7 +102,7 @@ RC_GTEST_PROP(Denoise, ComesNearerTheTruthThanTheDataAndThanLevel1, ()) {
     const auto seed = *rc::gen::arbitrary<unsigned>();
     const TactileMap noisy = with_noise(shape.outline, sigma_m, seed);
     CurveOptions options;
-    // Wide: the data's points are level 0. By default some of the edges are split in two.
+    // The wide spacing makes the data's points level 0. The default splits some edges in two.
     options.spacing_m = *rc::gen::element(0.005, 0.0);
     const CurveSet data = CurveSet::build(noisy, options).value();
     options.denoise_m = sigma_m;

@@ -33,8 +33,8 @@ TEST(DetectionThreshold, IsTheLawsTable) {
     }
 }
 
-/// Whether no outline of the level can be told from level 0, by the reported errors. `slack` is
-/// above 1 to be sure that one can, below 1 to be sure that none can.
+/// Whether no outline of the level can be told from level 0, by the reported errors. With `slack`
+/// above 1 false is certain, below 1 true is certain.
 bool is_untold(const CurveSet& curves, int outlines, int level, double slack) {
     const double wavelength_m = 4.0 * curves.finest_spacing_m() * std::exp2(level);
     for (int outline = 0; outline < outlines; ++outline) {

@@ -41,7 +41,7 @@ TEST_P(Gallery, TakesNoMorePointsThanItNeedsAndQuarterFewerWouldNotDo) {
     EXPECT_LE(static_cast<double>(kept),
               1.1 * static_cast<double>(uniform::bisected_segments(lines)));
     const CurveOptions wider{.resample = true, .spacing_m = curves.reports()[0].spacing_m / 0.75};
-    if (kept > lines.size()) {  // else each line is one straight segment: no fewer exist
+    if (kept > lines.size()) {  // otherwise each line is one straight segment, and no fewer exist
         EXPECT_GT(farthest_m(lines, CurveSet::build(map, wider).value()), scene_tolerance_m);
         EXPECT_FALSE(uniform::is_near(lines, wider.spacing_m));
     }

@@ -1,5 +1,5 @@
-// What "no more points than a scene needs" is judged by: how few uniform points would do, found
-// without the code that chooses the product's. Threads: pure functions.
+// Judges "no more points than a scene needs": finds how few uniform points would do, without the
+// code that chooses the product's. Threads: pure functions.
 #pragma once
 
 #include "config/types/tactile_map.h"
@@ -16,24 +16,24 @@ struct Line {
     bool is_closed = false;
 };
 
-/// In the order of a CurveSet's pieces.
+/// Returns the lines in the order of a CurveSet's pieces.
 [[nodiscard]] std::vector<Line> lines_of(const TactileMap& map);
 
 /// Whether ceil(length / spacing) segments of equal length on every line pass all data points
-/// within the scene's tolerance, looking at every segment.
+/// within the scene's tolerance. Looks at every segment.
 [[nodiscard]] bool is_near(const std::vector<Line>& lines, double spacing_m);
 
-/// Segments of the fewest such points: those of the widest spacing that is near enough, by trying
-/// every half per cent from wide to narrow.
+/// Returns the segments of the fewest such points. Finds the widest spacing that is near enough by
+/// trying every half per cent from wide to narrow.
 [[nodiscard]] std::size_t fewest_segments(const std::vector<Line>& lines);
 
-/// The same by bisection, which ends at some narrower spacing where data are met by luck: whether
-/// they are does not change once and for all.
+/// Returns the same by bisection. Whether a spacing meets the data does not change once and for
+/// all, so it may end at a narrower spacing that meets them by luck.
 [[nodiscard]] std::size_t bisected_segments(const std::vector<Line>& lines);
 
 [[nodiscard]] std::size_t segments_of(const CurveSet& curves);
 
-/// Farthest that a data point lies from level 0 of its piece.
+/// Returns how far the farthest data point lies from level 0 of its piece.
 [[nodiscard]] double farthest_m(const std::vector<Line>& lines, const CurveSet& curves);
 
 }  // namespace touchline::uniform

@@ -80,7 +80,7 @@ TEST(Wavelet, EqualsThePaperSThirteenTapFilter) {
     }
 }
 
-/// Moment p of the wavelet of detail k, about its own centre.
+/// Returns moment p of the wavelet of detail k, about its own centre.
 double moment(std::size_t segments, std::size_t k, int p) {
     const CurveShape shape{segments, 1, false};
     WaveletLevel level = analyze(std::vector<Position>(segments + 1), shape);
@@ -105,7 +105,7 @@ TEST(Wavelet, HasFourPrimalMomentsFromFourSamplesInsideAnOpenEnd) {
     EXPECT_GT(std::abs(moment(segments, 1, 0)), 1e-3);
 }
 
-/// Of a rough outline in any number of segments, so that some end in a very short one.
+/// Takes a rough outline in various numbers of segments, so that some end in a very short one.
 TEST(Wavelet, CoarseLevelsStayBesideTheCurveWhereTheLastSegmentIsShort) {
     for (const std::size_t segments : {513U, 514U, 520U, 1025U, 4097U, 4100U, 4609U}) {
         for (const bool is_closed : {false, true}) {

@@ -1,5 +1,5 @@
-// Nothing of the driver's tick allocates or locks: every such call of this program is counted while
-// it reads and writes, also while it finds its way back.
+// The driver's tick neither allocates nor locks. The test counts every such call of this program
+// while the driver reads and writes, also while it recovers.
 #include "haptics/device/pantograph_board.h"
 #include "tests/haptics/call_counts.h"
 
@@ -13,8 +13,8 @@
 namespace touchline {
 namespace {
 
-/// Answers every write at once with the home of the default profile; every `spoilt_`th answer is
-/// cut.
+/// Answers every write at once with the home of the default profile, but cuts every `spoilt_`th
+/// answer.
 class ObedientLink final : public BoardLink {
   public:
     LinkStatus send(std::span<const std::uint8_t> command) override {

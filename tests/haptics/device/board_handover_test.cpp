@@ -1,4 +1,4 @@
-// The driver and what it finds, leaves and loses: boards that others drove, stopping, the plug.
+// What the driver finds, leaves and loses: boards that others drove, stopping, the plug.
 #include "haptics/device/pantograph_board.h"
 #include "tests/sim/board/board_rig.h"
 
@@ -38,7 +38,7 @@ TEST(BoardHandover, ABoardThatSomebodyElseLeftPullingIsStopped) {
     ASSERT_TRUE(rig.driver->open().has_value());
     rig.tick_for(0.1, steady_push);
     const std::uint64_t set_ups = rig.board.firmware().set_ups();
-    // The other program is gone; the board never heard of it.
+    // The other program is gone; the board does not know.
     EXPECT_TRUE(zero_torque(std::make_unique<EmulatedLink>(rig.board, rig.time)));
     EXPECT_EQ(rig.held(), JointTorques{});
     EXPECT_EQ(rig.board.firmware().set_ups(), set_ups);  // it still knows where the handle is
@@ -63,7 +63,7 @@ TEST(BoardHandover, AStaleReplyFromBeforeIsDrained) {
     BoardRig rig;
     ASSERT_TRUE(rig.driver->open().has_value());
     rig.tick_for(0.05, steady_push);
-    // A program that died with a reply unread.
+    // A program died with a reply unread.
     rig.board.host_listens(false);
     rig.board.host_sends(write_command({0.01, 0.01}).bytes());
     rig.time.now_s += 0.01;
@@ -72,7 +72,7 @@ TEST(BoardHandover, AStaleReplyFromBeforeIsDrained) {
     PantographBoard second(std::move(fresh), rig.board.truth().profile, {});
     ASSERT_TRUE(second.open().has_value());
     EXPECT_EQ(second.report().state, BoardState::ready);
-    EXPECT_EQ(second.report().replies, 2U);  // the stale one and that to the zero write
+    EXPECT_EQ(second.report().replies, 2U);  // the stale one and the reply to the zero write
 }
 
 TEST(BoardHandover, TheEmptyPacketAfterAnOverflowIsIgnored) {

@@ -1,4 +1,4 @@
-// Every kind of fault at a hundred moments: time to zero torque, state, way back. All on the
+// Every kind of fault at a hundred moments: time to zero torque, state, recovery. All runs use the
 // virtual clock; tests/sim/README.md has the figures.
 #include "tests/haptics/tick.h"
 #include "tests/sim/board/fault_run.h"
@@ -13,7 +13,7 @@
 
 namespace touchline {
 
-/// As GoogleTest shows it.
+/// Prints a kind in GoogleTest's messages.
 void PrintTo(const FaultKind& kind, std::ostream* out) {
     *out << kind.name;
 }
@@ -24,15 +24,15 @@ constexpr double inf = never_s;
 
 /// What must hold for every run of a kind.
 struct Demand {
-    double zero_s;                      // at most, from when it could be seen
-    double recovery_s;                  // at most; inf: not by itself
+    double zero_s;                      // at most, from the moment when the fault could be seen
+    double recovery_s;                  // at most; inf: does not recover by itself
     BoardState worst;                   // no worse than this
     std::uint64_t least_noticed = 100;  // of a hundred runs
 };
 
-// Bad data: zero within a tick. Late: within the 5 ms that stale data may be used. A send that
-// hangs is called back at the second tick and made up for by the next, without a resync. A halted
-// endpoint is cleared within a tick.
+// Bad data: zero within a tick. Late data: zero within the 5 ms for which stale data may be used. A
+// send that hangs is cancelled at the second tick and made up for by the next, without a resync. A
+// halted endpoint is cleared within a tick.
 const std::map<std::string_view, Demand> demands{
     {"short", {tick_s, 0.02, BoardState::resyncing}},
     {"late send", {inf, 0.0, BoardState::ready, 0}},
@@ -72,7 +72,7 @@ TEST_P(FaultMatrix, EndsInZeroTorqueAndFindsBack) {
     const Demand demand = demands.at(kind.name);
     const std::uint64_t runs = fault_runs(100, 300);
     std::uint64_t noticed = 0;
-    (void)run_fault(kind, 0);  // what is made once for all runs is made
+    (void)run_fault(kind, 0);  // makes what all runs share
     for (std::uint64_t seed = 0; seed < runs; ++seed) {
         const Holdings before = Holdings::now();
         const FaultRun run = run_fault(kind, seed);

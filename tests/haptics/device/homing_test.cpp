@@ -38,7 +38,7 @@ struct Stay {
     double rest_s = 0.0;
 };
 
-/// Encoders that start counting at home wherever the arms stand, as the board's do.
+/// Encoders that start counting at home wherever the arms are, as the board's do.
 struct Unit {
     double scale = 1.0;                 // true turn per turn read
     JointAngles told_home = retracted;  // angles at which the set-up was sent
@@ -54,7 +54,7 @@ struct Unit {
     }
 };
 
-/// Goes from stay to stay at 1 rad/s, trembling by a tenth of a degree.
+/// Goes from stay to stay at 1 rad/s and trembles by a tenth of a degree.
 HomingView lead(Homing& homing, const Unit& unit, const std::vector<Stay>& stays) {
     HomingView view;
     // Every way begins with a small motion to and fro, as the first words ask for.
@@ -130,7 +130,7 @@ TEST(Homing, AScaleThatNoUnitIsKnownForIsSaidToBeAnotherKind) {
     }
 }
 
-/// The stop of one arm stands elsewhere than that of the other: both encoders are alike.
+/// The stops of the two arms are at different places, but both encoders are alike.
 TEST(Homing, WhatDiffersBetweenTheJointsIsTheStop) {
     const JointAngles stop{166.58 * degree, 11.11 * degree};
     Homing homing(gen31, {});
@@ -151,7 +151,7 @@ TEST(Homing, WhatDiffersBetweenTheJointsIsTheStop) {
 }
 
 TEST(Homing, DoesNotTakeAPauseOnTheWayForTheStop) {
-    // 98 % of the way: within what a scale may be off. The second visit gives it away.
+    // 98 % of the way is within the error that a scale may have. The second visit reveals it.
     Homing homing(gen31, {});
     const HomingView view = lead(
         homing, {},
@@ -197,7 +197,7 @@ TEST(Homing, ThreeMisfitsStartOver) {
     EXPECT_EQ(view.remark, HomingRemark::starting_over);
 }
 
-/// Every way in which encoders can be plugged in shows, once it shows again.
+/// Homing recognizes every way to plug in the encoders once it has seen it twice.
 TEST(Homing, FindsWhereAndWhichWayRoundTheEncodersAre) {
     for (std::uint32_t number = 0; number < 8; ++number) {
         const Unit unit{1.0, retracted, plugs_of(number)};
@@ -230,7 +230,7 @@ TEST(Homing, AKnownUnitIsRecognizedHoweverItsEncodersAre) {
     }
 }
 
-/// 168 degrees and as many counts as usual read as 180 degrees and 4096 counts do.
+/// 168 degrees and as many counts as usual read like 180 degrees and 4096 counts.
 TEST(Homing, WhatAnotherKindWouldReadTooIsAsked) {
     const DeviceProfile kind_180 = find_profile("2diy-gen3.1-180").value();
     for (const bool is_chosen_180 : {false, true}) {
@@ -252,7 +252,8 @@ TEST(Homing, WhatAnotherKindWouldReadTooIsAsked) {
     }
 }
 
-/// 5.6 per cent: no question that fingers can answer tells these apart, so the nearest count does.
+/// At 5.6 per cent no question that fingers can answer tells these apart, so the nearest count
+/// does.
 TEST(Homing, KindsThatBendAlikeAreToldApartByTheNearestCount) {
     const HomingPlan plan_172 = homing_plan(find_profile("2diy-gen3.1-172").value());
     const HomingPlan plan_3 = homing_plan(find_profile("2diy-gen3").value());
@@ -273,7 +274,7 @@ TEST(Homing, KindsThatBendAlikeAreToldApartByTheNearestCount) {
               HomingStep::to_check);
 }
 
-/// It says a millimetre for each half of one.
+/// The decoder reports a millimetre for each half of one.
 TEST(Homing, ADecoderThatDoublesAllowsAHandThatIsAsSoft) {
     const Unit unit{0.5, retracted, {}};
     const auto elbow_off = [](double off_m) {
@@ -340,7 +341,7 @@ TEST(Homing, AHiccupOfTheBoardIsNotSaidAndASilenceIsUntilItIsOver) {
     EXPECT_EQ(homing.step(retracted, tick_s).remark, HomingRemark::none);
 }
 
-/// The order of the stops is all that tells swapped plugs from stops in the wrong order.
+/// Only the order of the stops tells swapped plugs from stops in the wrong order.
 TEST(Homing, StopsInTheWrongOrderAreNotSwappedPlugs) {
     for (const Calibration& stored : {known(), Calibration{}}) {
         Homing homing(gen31, stored);
@@ -381,7 +382,7 @@ TEST(HomingPlan, StretchesBothArmsOfEveryProfileOrRetractsThem) {
         ASSERT_TRUE(home.has_value()) << profile.name;
         EXPECT_GT(plan.arm_m * norm(plan.check - plan.home), 0.05) << profile.name;
         if (profile.check.place != StopPlace::towards) continue;
-        // Both links of each arm in one line, or nearly so: the tip as far out as it goes.
+        // The links of both arms are in one line, or nearly so: the tip is as far out as it goes.
         const Geometry& arms = profile.geometry;
         const double reach_m = arms.proximal_m + arms.distal_m;
         const Position elbow{arms.proximal_m * std::cos(plan.check.x),

@@ -1,4 +1,4 @@
-// The driver against the emulated board: what each habit of the firmware does to it.
+// The driver against the emulated board: how it copes with each habit of the firmware.
 #include "haptics/device/pantograph_board.h"
 
 #include "tests/sim/board/board_rig.h"
@@ -72,7 +72,8 @@ TEST(PantographBoard, TorquesAndAnglesBelongToTheirJoints) {
             truth.motors.are_swapped = truth.encoders.are_swapped = are_swapped;
             Calibration calibration;
             calibration.motors.are_swapped = calibration.encoders.are_swapped = are_swapped;
-            // What a joint's own turn is on the other port depends on what that port is told.
+            // The direction of a joint's own turn on the other port depends on what that port is
+            // told.
             const bool is_turned = are_swapped && std::string(name) == "2diy-gen2";
             calibration.motors.is_1_reversed = calibration.motors.is_2_reversed = is_turned;
             calibration.encoders = calibration.motors;
@@ -83,7 +84,7 @@ TEST(PantographBoard, TorquesAndAnglesBelongToTheirJoints) {
             EXPECT_LT(far_apart(rig.held(), push), 1e-3) << name;
             const auto angles = rig.tick(push);
             ASSERT_TRUE(angles.has_value());
-            // A tick of motion and a count apart; it moves farther than that.
+            // A tick of motion and a count apart; the arm moves farther than that.
             EXPECT_NEAR(angles->x, rig.board.true_angles().x, 0.02) << name;
             EXPECT_NEAR(angles->y, rig.board.true_angles().y, 0.02) << name;
             EXPECT_GT(norm(*angles - truth.profile.home), 0.05) << name;
@@ -126,7 +127,7 @@ TEST(PantographBoard, NeverKillsTheFirmwareWith1200Baud) {
     rig.tick_for(0.01, {});
     rig.driver.reset();
     EXPECT_FALSE(rig.board.is_boot_loader());
-    // The emulator would have noticed.
+    // The emulator would notice.
     rig.board.set_line_coding(1200);
     rig.board.set_lines(false, false);
     EXPECT_TRUE(rig.board.is_boot_loader());

@@ -1,5 +1,5 @@
-// Every kind of device as the maker's own programs and firmware handle it: 200 poses each, worked
-// out apart from this code (published_boards.csv), byte for byte.
+// Every kind of device as the maker's own programs and firmware handle it: 200 poses each, computed
+// without this code (published_boards.csv), byte for byte.
 #include "haptics/device/board_frame.h"
 #include "haptics/device/hapi.h"
 #include "haptics/pantograph/kinematics.h"
@@ -22,8 +22,8 @@ constexpr double degrees_per_radian = 57.295779513082320877;
 
 struct PublishedCase {
     std::string kind;
-    std::array<std::int64_t, 2> counts{};  // by port, in the direction that it is told
-    std::string reply;                     // of the board there
+    std::array<std::int64_t, 2> counts{};  // by port, in the direction that the port is told
+    std::string reply;                     // the board's, at those counts
     JointAngles said;                      // degrees, as the maker's host takes them
     Position tip;
     JointTorques torques;
@@ -57,7 +57,7 @@ std::string hex(std::span<const std::uint8_t> bytes) {
     return text;
 }
 
-/// What the emulated firmware answers to a zero write after those counts.
+/// Returns the emulated firmware's answer to a zero write after those counts.
 PacketBytes emulated_reply(const PublishedCase& wanted, const BoardSetUp& set_up) {
     Firmware firmware(wanted.kind == "haplet" ? BoardType::due : BoardType::m0, 1);
     firmware.take(set_up_command(set_up).bytes(), 0.0);
@@ -94,7 +94,8 @@ TEST(PublishedBoards, EveryKindIsSaidAndHeardByteForByte) {
         const bool is_1_on_2 = profile.wiring.joint_1.port == 2;
         EXPECT_EQ(reply.angles.x, is_1_on_2 ? wanted.said.y : wanted.said.x);
         EXPECT_EQ(reply.angles.y, is_1_on_2 ? wanted.said.x : wanted.said.y);
-        // The maker's host takes home as the board rounds it, this one as it is: up to a count.
+        // The maker's host takes home as the board rounds it, this driver takes it as it is: up to
+        // a count.
         const JointAngles angles = frame.joint_angles(reply.angles);
         EXPECT_NEAR(degrees_per_radian * angles.x, wanted.said.x, 0.16) << wanted.kind;
         EXPECT_NEAR(degrees_per_radian * angles.y, wanted.said.y, 0.16) << wanted.kind;

@@ -1,6 +1,6 @@
-// The oldest result on virtual walls as a check of the simulation: a spring of stiffness K, sampled
-// at period T and acting after a delay, is stable up to about b / (T/2 + delay), and exactly up to
-// the eigenvalue limits below.
+// Checks the simulation against the oldest result on virtual walls: a spring of stiffness K,
+// sampled at period T and acting after a delay, is stable up to about b / (T/2 + delay), and
+// exactly up to the eigenvalue limits below.
 
 #include "haptics/device/tip_dynamics.h"
 
@@ -17,7 +17,7 @@ struct WallCase {
     double limit_N_per_m;  // largest stable K, from the eigenvalues of the sampled loop
 };
 
-// Amplitude late in the run over amplitude early in it: > 1 grows.
+// Returns the amplitude late in the run over the amplitude early in it; > 1 grows.
 double growth(const WallCase& wall, double stiffness_N_per_m) {
     constexpr int substeps = 32;
     const double h_s = wall.period_s / substeps;

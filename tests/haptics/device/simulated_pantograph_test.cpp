@@ -28,7 +28,7 @@ SimulationOptions with_hand(const HandModel& hand) {
     return options;
 }
 
-// Torques that push with `force_W` at the centre of the drawing area.
+// Returns the torques that push with `force_W` at the centre of the drawing area.
 JointTorques torques_for(const DeviceProfile& profile, Force force_W) {
     const JointAngles angles = inverse(profile.geometry, profile.centre).value();
     return joint_torques(forward(profile.geometry, angles).value().jacobian, turned(force_W));
@@ -169,7 +169,7 @@ TEST(SimulatedPantograph, LongGapIsAPause) {
         std::vector<WaypointPath::Waypoint>{{0.0, {}}, {1000.0, {0.02, 0.0}}});
     SimulatedPantograph device(default_profile(), with_hand(normal_hand), path);
     EXPECT_TRUE(device.read_angles(900.0).has_value());
-    // 0.1 s of a pull towards 18 mm: it moved, but it did not live through 900 s.
+    // 0.1 s of a pull towards 18 mm: it moved, but did not simulate all 900 s.
     EXPECT_GT(device.tip().position.x, 0.001);
     EXPECT_LT(norm(device.tip().position), 0.04);
 }

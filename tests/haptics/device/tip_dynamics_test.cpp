@@ -98,7 +98,7 @@ RC_GTEST_PROP(TipDynamics, EnergyIsNeverCreatedWithoutForce, ()) {
     for (int i = 0; i < 8000; ++i) {
         dynamics.step({}, still, substep_s);
         const double now = energy_J(dynamics, tip, hand, still.position);
-        // The springs are explicit, so that within an oscillation energy wavers by order h.
+        // The springs are explicit, so within an oscillation energy wavers by order h.
         RC_ASSERT(now <= least + 0.02 * at_start + 1e-15);
         least = std::min(least, now);
     }

@@ -23,7 +23,7 @@ double count_rad() {
     return encoder_quantum_rad(*turning().handle);
 }
 
-/// Turns from one angle to another within a second, where the tip is at home.
+/// Turns from one angle to another within a second, with the tip at home.
 std::shared_ptr<const IntendedPath> turning_hand(double from_rad, double to_rad) {
     const Position home = forward(turning().geometry, turning().home).value().p_DH;
     const Position place = picture_from_device(turning(), home);
@@ -147,7 +147,7 @@ TEST(TurningHandle, AProgramThatKnowsOfNoHandleStopsItsMotorToo) {
     BoardRig rig = opened_rig();
     rig.driver->turn_handle(0.05);
     (void)rig.tick({});
-    // Another profile's counts: it cannot tell whether the answers are good.
+    // With another profile's counts it cannot tell whether the answers are good.
     (void)zero_torque(std::make_unique<EmulatedLink>(rig.board, rig.time));
     EXPECT_EQ(told_handle_Nm(rig), 0.0);
 }

@@ -1,4 +1,4 @@
-// Boards that count or limit otherwise than their profile says.
+// Boards whose counts or limits differ from their profile's.
 #include "tests/sim/board/board_rig.h"
 
 #include <algorithm>
@@ -59,7 +59,7 @@ TEST(UnitCounts, AStoredUnitHasItsCountsFromTheFirstMomentOn) {
     EXPECT_NEAR(norm(home - default_profile().home), 0.0, 2e-3);
 }
 
-// 1, 2, 3, 2 a cycle: a slow motion one way must read as one.
+// A cycle counts 1, 2, 3, 2: a slow motion one way must read as one.
 TEST(UnitCounts, ACounterThatStepsBackReadsAsAMotionOneWay) {
     BoardTruth truth;
     truth.do_counts_step_back = true;
@@ -75,7 +75,7 @@ TEST(UnitCounts, ACounterThatStepsBackReadsAsAMotionOneWay) {
         farthest_rad = std::max(farthest_rad, angles->x);
     }
     EXPECT_GT(farthest_rad - default_profile().home.x, 0.2);
-    EXPECT_LT(longest_way_back_rad, 1e-6);        // what a float tells
+    EXPECT_LT(longest_way_back_rad, 1e-6);        // the resolution of a float
     EXPECT_EQ(rig.driver->report().resyncs, 1U);  // to open
     EXPECT_EQ(rig.driver->report().jumps, 0U);
 }

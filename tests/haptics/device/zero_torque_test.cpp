@@ -1,4 +1,4 @@
-// Zero means that a zero was sent: what write_torques({}) says, and how soon the board holds it
+// Zero means that a zero was sent: what write_torques({}) reports, and how soon the board holds it
 // when a send hangs.
 #include "tests/sim/board/board_rig.h"
 #include "tests/sim/fault_lines.h"
@@ -13,7 +13,7 @@ namespace {
 
 constexpr JointTorques push_against{0.05, -0.05};
 
-/// One that pushes.
+/// A rig whose driver has been pushing.
 class Pushing : public BoardRig {
   public:
     explicit Pushing(double for_s = 0.05) {
@@ -56,7 +56,8 @@ TEST(ZeroTorque, IsSaidOnlyWhileTheBoardHoldsIt) {
     }
 }
 
-/// The time from the tick that wants a zero, while the send before it hangs or the zero's own does.
+/// Returns the time from the tick that wants a zero; the send before it hangs, or the zero's own
+/// does.
 double zero_after_s(LinkFault fault, double span_s, bool is_zero_spoiled, std::uint64_t& resyncs) {
     Pushing rig(0.01);
     const std::uint64_t before = rig.driver->report().resyncs;
@@ -89,7 +90,7 @@ TEST(ZeroTorque, OvertakesASendThatHangs) {
     }
 }
 
-/// Three in a row are no chance: the driver asks what has become of the board.
+/// Three in a row are no accident: the driver asks what has become of the board.
 TEST(ZeroTorque, SendsThatNeverGetThroughEndInAResync) {
     Pushing rig;
     for (int i = 0; i < 12; ++i) {

@@ -15,7 +15,7 @@ namespace {
 /// A hand of 0.2 kg that the force moves against 4 N s/m, or that somebody holds.
 struct Rig {
     explicit Rig(const TactileMap& map) : scene(build_scene(map, {}, 0.0).value()) {
-        (void)tick();  // the first number told begins nothing
+        (void)tick();  // the first number begins nothing
     }
 
     Force tick() {
@@ -75,7 +75,7 @@ TactileMap ring_and_line() {
 TEST(Guidance, ATourGoesAllAlongTheOutlineAndArrives) {
     Rig rig(ring_and_line());
     rig.ask({GuidanceKind::tour, false, 0, 0, {}, 0.035});
-    double reached = 0.0;  // of the ring, by angle
+    double reached = 0.0;  // share of the ring, by angle
     Position before;
     double furthest_m = 0.0;
     bool was_at_label = false;
@@ -188,7 +188,7 @@ TEST(Guidance, NeverMovesTheHandleUnasked) {
     Rig rig(ring_and_line());
     rig.run(2'000);
     EXPECT_EQ(rig.most_N, 0.0);
-    // A servo that starts anew is told an old command first.
+    // A new servo is told an old command first.
     Guidance anew;
     const GuidanceCommand old{GuidanceKind::tour, false, 9, 0, {}, 0.035};
     double most_N = 0.0;

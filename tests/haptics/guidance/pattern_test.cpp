@@ -10,10 +10,10 @@
 namespace touchline {
 namespace {
 
-/// What a hand could tell of a shake, from its forces alone.
+/// What a hand could tell of a shake from its forces alone.
 struct Measured {
     int pulses = 0;
-    double angle_deg = 0.0;  // of the line that it swings along, 0 ... 180
+    double angle_deg = 0.0;  // the line that it swings along, 0 ... 180
     double frequency_Hz = 0.0;
 };
 
@@ -54,7 +54,7 @@ Measured measured(const std::vector<Force>& forces) {
     return result;
 }
 
-/// As it is played, from a command to the end.
+/// Returns the forces as played, from a command to the end.
 std::vector<Force> played(HandlePattern pattern) {
     PatternPlayer player;
     (void)player.step({HandlePattern::none, 0}, true, tick_s);
@@ -89,7 +89,7 @@ TEST(HandlePatterns, AnyTwoDifferInTwoOfPulsesDirectionAndFrequency) {
 
 TEST(HandlePatterns, AreWeakShortAndPushNowhere) {
     for (const PatternRow& row : pattern_rows()) {
-        Force sum;  // of the force over time: what sets the handle going ...
+        Force sum;  // integral of the force: what sets the handle going ...
         Force way;  // ... and how far it would coast
         double most_N = 0.0;
         for (const Force f : played(row.pattern)) {
@@ -131,7 +131,7 @@ TEST(HandlePatterns, ANewOneTakesThePlaceOfWhatPlays) {
         late_y_N = std::max(late_y_N, std::abs(after[i].y));
         late_x_N = std::max(late_x_N, std::abs(after[i].x));
     }
-    EXPECT_EQ(late_y_N, 0.0);  // the edge's is over
+    EXPECT_EQ(late_y_N, 0.0);  // the edge's force is over
     EXPECT_GT(late_x_N, 0.3);
 }
 

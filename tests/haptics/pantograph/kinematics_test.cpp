@@ -20,7 +20,7 @@ TEST(Kinematics, ForwardOfInverseIsThePointOverEveryWorkspace) {
     for (const DeviceProfile& profile : device_profiles()) {
         const int points = visit_workspace(
             profile.geometry, 1.7 * mm, [&](Position p, JointAngles, const Pose& pose) {
-                // Rounding of the angles reaches the tip through the Jacobian.
+                // The rounding of the angles reaches the tip through the Jacobian.
                 const double error_m = norm(pose.p_DH - p);
                 const double rounding_m = 1e-15 * (1.0 + singular_values(pose.jacobian).largest);
                 EXPECT_LE(error_m, 1e-12 + 10.0 * rounding_m) << profile.name << p.x << ' ' << p.y;
@@ -33,7 +33,7 @@ TEST(Kinematics, InverseOfForwardIsTheAnglesOverEveryWorkspace) {
     for (const DeviceProfile& profile : device_profiles()) {
         visit_workspace(profile.geometry, 1.7 * mm, [&](Position, JointAngles a, const Pose& pose) {
             if (condition(pose.jacobian) > 100.0)
-                return;  // angles are not defined by the tip there
+                return;  // the tip does not define the angles there
             const JointAngles again = inverse(profile.geometry, pose.p_DH).value();
             EXPECT_LE(norm(again - a), 1e-12 * (1.0 + condition(pose.jacobian))) << profile.name;
         });

@@ -19,8 +19,8 @@ double median(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
-// Largest force that both motors can hold in every direction: the inner radius of the polygon |J^T
-// F| <= limit.
+// Returns the largest force that both motors can hold in every direction: the inner radius of the
+// polygon |J^T F| <= limit.
 double force_in_every_direction(const Pose& pose, double torque_Nm) {
     return torque_Nm / std::max(norm(pose.jacobian.joint_1), norm(pose.jacobian.joint_2));
 }
@@ -77,7 +77,7 @@ TEST(Profiles, DrawingAreasStayBelowCondition3AndReachable) {
     }
 }
 
-// 6.6 where the arms are stopped in one line; the force comes in the drawing area.
+// The condition is 6.6 where the arms stop in one line; the force comes in the drawing area.
 TEST(Profiles, HomePosesCanBeReachedAndCarryForce) {
     for (const DeviceProfile& profile : device_profiles()) {
         const auto pose = forward(profile.geometry, profile.home);
@@ -129,7 +129,7 @@ TEST(Profiles, EncoderStepIsTheTipsMotionForOneCount) {
         const JointAngles angles = inverse(profile.geometry, profile.centre).value();
         const JointAngles q = encoder_quantum(profile);
         const Position here = forward(profile.geometry, angles).value().p_DH;
-        double farthest = 0.0;  // over all directions of a joint step of length one count
+        double farthest = 0.0;  // largest over all directions of a joint step of length one count
         for (int i = 0; i < 3600; ++i) {
             const double a = i * 2.0 * 3.14159265358979 / 3600.0;
             const JointAngles turn{q.x * std::cos(a), q.y * std::sin(a)};

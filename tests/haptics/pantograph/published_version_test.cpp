@@ -1,6 +1,6 @@
-// The version of the Jacobian that the maker's libraries publish finds the distal angles as acos of
-// an x difference, which loses their sign: right only while the tip lies beyond both elbows. Kept
-// here so that nobody "corrects" ours by it.
+// The maker's libraries publish a Jacobian that finds the distal angles as acos of an x difference,
+// which loses their sign: it is right only while the tip lies beyond both elbows. It is kept here
+// so that nobody "corrects" ours by it.
 
 #include "haptics/pantograph/kinematics.h"
 #include "tests/haptics/pantograph/workspace.h"

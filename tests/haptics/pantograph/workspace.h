@@ -10,12 +10,12 @@ inline constexpr double mm = 1e-3;
 inline constexpr Geometry gen3{0.070, 0.090, 0.038};
 inline constexpr Geometry gen2{0.070, 0.090, 0.0};
 
-/// Calls visit(p_DH, angles, pose) at every reachable point with y > 0, `step_m` apart. Returns how
-/// many.
+/// Calls visit(p_DH, angles, pose) at every reachable point with y > 0, `step_m` apart. Returns the
+/// number of points.
 template <class Visit>
 int visit_workspace(const Geometry& geometry, double step_m, Visit&& visit) {
     const double reach_m = geometry.proximal_m + geometry.distal_m;
-    const double margin_m = 1e-4;  // off the singular edge itself
+    const double margin_m = 1e-4;  // away from the singular edge
     int count = 0;
     for (double x = -reach_m + margin_m; x < reach_m + geometry.base_m; x += step_m) {
         for (double y = margin_m; y < reach_m; y += step_m) {
@@ -31,7 +31,7 @@ int visit_workspace(const Geometry& geometry, double step_m, Visit&& visit) {
     return count;
 }
 
-/// The same inside the profile's drawing area, edges included.
+/// Does the same inside the profile's drawing area, edges included.
 template <class Visit>
 int visit_area(const DeviceProfile& profile, double step_m, Visit&& visit) {
     int count = 0;

@@ -11,7 +11,7 @@
 namespace touchline {
 namespace {
 
-/// A hand that slides along and into the lines of a scene.
+/// Slides along the lines of a scene and into them.
 Position slow_hand(int k) {
     const double t = 1e-3 * k;
     return {0.03 * std::cos(0.4 * t) + 0.004 * std::sin(3.1 * t),

@@ -39,7 +39,7 @@ TEST(ProbeEnergy, NoStepAddsAnyAndTheWorkPerSampleIsBounded) {
             const ProbeReport report = proxy.step(next, 0.0, {}, {});
             const bool was_placed = last.is_placed;
             if (was_placed) {
-                // Of rounding, where a hand far off has stored a joule.
+                // Rounding counts where a hand far off has stored a joule.
                 const double rounding_J = 1e-15 * (1.0 + before_J);
                 ASSERT_LE(report.stored_J, before_J + rounding_J)
                     << "seed " << seed << " step " << k;

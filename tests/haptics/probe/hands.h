@@ -13,10 +13,10 @@ namespace touchline {
 
 [[nodiscard]] ProbeShape shape_of(const Outline& outline, double radius_m = 0.0);
 
-/// A regular polygon.
+/// Returns a regular polygon.
 [[nodiscard]] ProbeShape polygon(double radius_m, int edges);
 
-/// Disc, bar, L, key, an open zigzag, a polygon: number 0 ... 5.
+/// Returns shape 0 ... 5: disc, bar, L, key, an open zigzag, a polygon.
 [[nodiscard]] ProbeShape any_shape(std::size_t number);
 
 /// Goes from one random place and angle to the next at up to 1 m/s and 10 rad/s.
@@ -24,7 +24,7 @@ class RestlessHand {
   public:
     explicit RestlessHand(std::uint64_t seed) : random_(seed) {}
 
-    /// The pose after another millisecond.
+    /// Returns the pose after another millisecond.
     ProbePose step();
 
   private:

@@ -1,4 +1,4 @@
-// The least move: what it allows, and that nothing allowed is nearer.
+// The least move is allowed, and no allowed move ends nearer.
 
 #include "haptics/probe/least_move.h"
 
@@ -41,7 +41,7 @@ TEST(LeastMove, KeepsAllContactsAndNoAllowedMoveIsNearer) {
             return square({wanted[0] - move[0], wanted[1] - move[1], wanted[2] - move[2]});
         };
         held_by_three += least.active_count == 3 ? 1 : 0;
-        for (int i = 0; i < 200; ++i) {  // nearer places, allowed?
+        for (int i = 0; i < 200; ++i) {  // nearer places: are they allowed?
             Coupled other = least.move;
             const double size = random.decade(-6.0, 0.0);
             const Coupled by = random_vector(random);

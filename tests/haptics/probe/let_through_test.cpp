@@ -1,5 +1,5 @@
-// No line passes through an edge of the shape, however the hand moves and turns it: judged by a
-// brute-force sweep of every step. TOUCHLINE_EXHAUSTIVE=1: a million motions (tests/README.md).
+// No line passes through an edge of the shape, however the hand moves and turns it. A brute-force
+// sweep of every step judges this. TOUCHLINE_EXHAUSTIVE=1: a million motions (tests/README.md).
 
 #include "tests/haptics/probe/hands.h"
 #include "tests/haptics/probe/swept_judge.h"

@@ -14,7 +14,7 @@
 namespace touchline {
 namespace {
 
-/// Lines that run straight from one level to the next of the same octave, followed in small steps,
+/// Follows lines that run straight from one level to the next of the same octave, in small steps,
 /// against edges that stand still.
 bool does_cut(const CurveSet& curves, double from, double to, const ProbeShape& shape,
               const ProbePose& pose) {

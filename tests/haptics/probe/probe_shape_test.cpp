@@ -1,4 +1,4 @@
-// Shapes: what can be one, and that every node of the tree holds what is below it.
+// Which shapes are valid, and that every node of the tree holds what is below it.
 
 #include "haptics/probe/probe_shape.h"
 

@@ -19,7 +19,7 @@ Outline open(std::vector<Position> points) {
     return scenes::outline(std::move(points), false);
 }
 
-/// Between two poses in so many steps.
+/// Goes from one pose to another in so many steps.
 ProbeReport go(ProbeProxy& proxy, const ProbePose& from, const ProbePose& to, int steps) {
     ProbeReport report;
     for (int k = 1; k <= steps; ++k) {
@@ -60,7 +60,7 @@ TEST(ProbeRules, R2APegEntersItsSlotAndJamsWithABoundedTorque) {
         ProbeReport report = go(proxy, above, in, 1000);
         for (int k = 0; k < 200; ++k) report = proxy.step(in, 0.0, {}, {});
         EXPECT_GT(judge.distance_m(proxy.pose()), 1e-8) << tilt_deg;
-        // What the turning spring can give at this tilt, and no more.
+        // At most what the turning spring can give at this tilt.
         const double most_Nm =
             turn_stiffness_Nm_per_rad(peg, 500.0) * (tilt_deg + 1.0) * degree + 2e-3;
         EXPECT_LE(std::abs(report.torque_Nm), most_Nm) << tilt_deg;
@@ -150,7 +150,8 @@ TEST(ProbeRules, R6AWedgeHoldsWithAtMostThreeContactsAndDoesNotRing) {
     EXPECT_GE(report.contact_count, 2);
     EXPECT_LE(report.contact_count, 3);
     expect_balance(report);
-    // The hand's encoders flicker by a step of 20 um and 0.1 degrees: the tail stays within twice.
+    // The hand's encoders flicker by a step of 20 um and 0.1 degrees: the tail stays within twice
+    // that.
     ProbePose low = report.pose;
     ProbePose high = report.pose;
     for (int k = 0; k < 1000; ++k) {

@@ -20,7 +20,7 @@ bool meet(Position a, Position b, const Segment& s) {
     return do_boxes_meet(a, b, s.a, s.b) && exact::meet(a, b, s.a, s.b);
 }
 
-/// W to the shape's frame.
+/// Converts from W to the shape's frame.
 Position seen_from(const ProbePose& pose, Position p) {
     const Position d = p - pose.place();
     const double c = std::cos(pose.angle_rad);

@@ -1,5 +1,5 @@
 // An independent judge of a turning shape: knows the segments of a scene as rendered, the shape's
-// edges and exact predicates, nothing of trees, fronts or separating directions.
+// edges and exact predicates, but no trees, fronts or separating directions.
 #pragma once
 
 #include "haptics/curve/curve_set.h"
@@ -14,15 +14,15 @@ class SweptJudge {
   public:
     SweptJudge(const CurveSet& curves, double level, std::span<const Segment> shape);
 
-    /// True when no line passes through an edge of the shape while it moves from pose to pose: the
-    /// ends of the edges against the lines, and in the shape's frame the ends of the lines against
-    /// the edges. Their ways are followed in chords that leave them by 3 nm at most.
+    /// Whether no line passes through an edge of the shape while it moves from pose to pose. Checks
+    /// the ends of the edges against the lines, and in the shape's frame the ends of the lines
+    /// against the edges. Follows their ways in chords that leave them by at most 3 nm.
     [[nodiscard]] bool is_free(std::span<const ProbePose> path) const;
 
-    /// True when no line meets the shape there.
+    /// Whether no line meets the shape there.
     [[nodiscard]] bool is_clear(const ProbePose& pose) const;
 
-    /// Between any line and any edge.
+    /// Returns the least distance between any line and any edge.
     [[nodiscard]] double distance_m(const ProbePose& pose) const;
 
   private:

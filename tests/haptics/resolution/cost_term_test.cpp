@@ -12,7 +12,8 @@ namespace {
 
 constexpr double period_s = 1e-3;
 
-/// The same work for a while, rendered at the level that the term asks for; the level at the end.
+/// Does the same work for a while, rendered at the level that the term asks for. Returns the last
+/// level.
 double run(CostTerm& cost, const Work& work, double seconds) {
     for (int i = 0; i < std::lround(seconds / period_s); ++i) (void)cost.step(work, cost.level());
     return cost.level();
@@ -20,7 +21,7 @@ double run(CostTerm& cost, const Work& work, double seconds) {
 
 const Work cut{1, true};
 
-/// Cut for as long as it takes to coarsen.
+/// Cuts ticks for as long as it takes to coarsen.
 void overload(CostTerm& cost, double rendered_level) {
     for (int i = 0; i < 4; ++i) (void)cost.step(cut, rendered_level);
 }
@@ -60,7 +61,7 @@ TEST(CostTerm, CoarsensAtOnceFromTheLevelThatWasRendered) {
 
 TEST(CostTerm, FourTicksCutInARowAreTooMuchHoweverFewBoxesTheyOpened) {
     CostTerm cost(period_s);
-    for (int i = 0; i < 50; ++i) {  // what is left over is made up in time
+    for (int i = 0; i < 50; ++i) {  // makes up in time for what is left over
         for (int k = 0; k < 3; ++k) EXPECT_EQ(cost.step(cut, 0.0), 0.0);
         EXPECT_EQ(cost.step({1, false}, 0.0), 0.0);
     }
@@ -97,7 +98,7 @@ TEST(CostTerm, RefinesOnlyWhereTwiceTheMostOfTheLast64TicksIsAffordable) {
         (void)cost.step({half + 1, false}, 1.0);
         EXPECT_EQ(run(cost, {0, false}, 0.059), 1.0);
     }
-    for (int i = 0; i < 50; ++i) {  // and one that was cut
+    for (int i = 0; i < 50; ++i) {  // so is one that was cut
         (void)cost.step(cut, 1.0);
         EXPECT_EQ(run(cost, {0, false}, 0.059), 1.0);
     }
@@ -132,8 +133,8 @@ TEST(CostTerm, TriesLessAndLessOftenWhatDidNotLastAndAgainSoonAfterOneThatDid) {
     EXPECT_EQ(flicker(0.6), 1);
 }
 
-/// Work that halves with each level, at any speed of the hand: the term ends at the finest that is
-/// affordable or the next coarser, and hardly moves after that.
+/// The work halves with each level, at any speed of the hand: the term ends at the finest
+/// affordable level or the next coarser, and hardly moves after that.
 RC_GTEST_PROP(CostTerm, SettlesAtAnAffordableLevel, ()) {
     const double rate_s = *rc::gen::element(2.5e-4, 1e-3, 2e-3);
     const double affordable = affordable_boxes(rate_s);
@@ -151,7 +152,7 @@ RC_GTEST_PROP(CostTerm, SettlesAtAnAffordableLevel, ()) {
     const double level = cost.level();
     RC_ASSERT(work_at(level).boxes <= affordable);
     RC_ASSERT(level == 0.0 || work_at(level - 1.0).boxes > affordable);
-    // Whole boxes: twice what the level takes may look affordable where the next one is not.
+    // Boxes are whole: twice a level's work may look affordable where the next finer level is not.
     const bool is_tried_again = 2 * work_at(level).boxes <= affordable;
     RC_ASSERT(changes == static_cast<int>(level) || is_tried_again);
 }

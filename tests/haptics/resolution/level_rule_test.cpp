@@ -14,7 +14,7 @@ LevelLimits fine_device() {
     return {1e-4, 1e-5, 400.0, 0.0, 16.0};
 }
 
-/// Moves a hand at constant speed for a while; the level at the end.
+/// Moves a hand at constant speed for a while. Returns the last level.
 double level_at(LevelRule& rule, double speed_m_per_s, double seconds) {
     constexpr double dt_s = 1e-3;
     static double x_m = 0.0;
@@ -158,7 +158,7 @@ LevelLimits any_limits() {
     return limits;
 }
 
-/// Whatever the hand does and the limits change to.
+/// Holds whatever the hand does and however the limits change.
 RC_GTEST_PROP(LevelRule, NeverFinerThanDeviceProxyAndTimeAllowAndNeverCoarserThanSafe, ()) {
     LevelLimits limits = any_limits();
     LevelRule rule(limits);

@@ -16,7 +16,7 @@ LevelLimits finest_device() {
     return {2.5e-5, 1e-6, 400.0, 0.0, 16.0};
 }
 
-/// The shortest wavelength rendered for a hand that has moved at this speed for 0.8 s.
+/// Returns the shortest wavelength rendered for a hand that has moved at this speed for 0.8 s.
 double wavelength_at(LevelRule& rule, double& x_m, double speed_m_per_s, double dt_s) {
     double level = 0.0;
     for (int i = 0; i < static_cast<int>(0.8 / dt_s); ++i) {
@@ -27,7 +27,8 @@ double wavelength_at(LevelRule& rule, double& x_m, double speed_m_per_s, double 
 }
 
 TEST(LevelBySpeed, ShortestWavelengthAtASpeedIsTheTables) {
-    // lambda_min(v): 20 mm/s 0.4 mm, 100 mm/s 2 mm, 250 mm/s 5 mm at 500 Hz; half of it from 1 kHz.
+    // lambda_min(v): 20 mm/s 0.4 mm, 100 mm/s 2 mm, 250 mm/s 5 mm at 500 Hz; half of that from 1
+    // kHz.
     const LevelLimits limits = finest_device();
     for (const auto& [dt_s, speed, wavelength] : {std::tuple{2e-3, 0.02, 4e-4},
                                                   {2e-3, 0.1, 2e-3},
@@ -45,8 +46,9 @@ TEST(LevelBySpeed, ShortestWavelengthAtASpeedIsTheTables) {
     }
 }
 
-/// 1 to 320 mm/s in steps of an eighth of an octave. Levels are whole, so the wavelength rendered
-/// is the next above that of the formula; a hand that slows down keeps a quarter of an octave more.
+/// From 1 to 320 mm/s in steps of an eighth of an octave. Levels are whole, so the wavelength
+/// rendered is the next above the formula's; a hand that slows down keeps a quarter of an octave
+/// more.
 TEST(LevelBySpeed,
      ShortestWavelengthStaysWithinAnOctaveOfTheFormulaFrom1To320MillimetresPerSecond) {
     for (const double dt_s : {2e-3, 1e-3}) {
@@ -89,9 +91,9 @@ void PrintTo(const Tremor& tremor, std::ostream* out) {
 class Tremors : public testing::TestWithParam<Tremor> {};
 
 /// A hand scans at 60 mm/s, modulated by half at 0.4 Hz, with a tremor across; lambda_0 = 0.5 mm
-/// and f_max = 50 Hz. The changes from 0.6 s to 20 s are counted, the first from level 0. The scan
-/// alone crosses a level twice in each of its 8 periods; a violent tremor hides that, none may add
-/// to it.
+/// and f_max = 50 Hz. The test counts the changes from 0.6 s to 20 s, the first from level 0. The
+/// scan alone crosses a level twice in each of its 8 periods; a violent tremor hides that, but none
+/// may add to it.
 TEST_P(Tremors, DoNotSwitchLevels) {
     const Tremor& tremor = GetParam();
     LevelLimits limits{1.25e-4, 1e-6, 50.0, 0.0, 16.0};

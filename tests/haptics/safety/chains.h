@@ -1,4 +1,4 @@
-// A force chain at work: what tests of it begin with.
+// A force chain at work, for the tests that start from one.
 #pragma once
 
 #include "haptics/safety/force_chain.h"

@@ -93,7 +93,7 @@ TEST(ForceChain, EnergyGivenIsDampedAndThenAFaultUntilForceIsSwitchedOff) {
         if (out.limit == Limit::damped && damped_at_J == 0.0) damped_at_J = given_J;
     }
     EXPECT_NEAR(damped_at_J, 0.05, 0.01);
-    EXPECT_NEAR(given_J, 0.45, 0.15);  // a part of it is forgotten
+    EXPECT_NEAR(given_J, 0.45, 0.15);  // it forgets a part
     EXPECT_EQ(chain.status().fault, Fault::energy);
     (void)run(chain, wanting({}), 5000);
     EXPECT_EQ(chain.state(), ForceState::fault);
@@ -106,7 +106,7 @@ TEST(ForceChain, ALoopThatRingsThoughItWasSoftenedIsAFault) {
     ForceChain chain = live_chain();
     ChainInput input = wanting({0.2, 0.0});
     for (int i = 0; i < 1000; ++i) {
-        if (i % 200 == 0) ++input.cuts;  // once in a while: it is softened, and that is all
+        if (i % 200 == 0) ++input.cuts;  // now and then: it is only softened
         (void)chain.step(input, tick_s);
     }
     EXPECT_EQ(chain.state(), ForceState::live);
@@ -117,7 +117,7 @@ TEST(ForceChain, ALoopThatRingsThoughItWasSoftenedIsAFault) {
     EXPECT_EQ(chain.status().fault, Fault::ringing);
 }
 
-/// A mass of the device's own, driven by the force it is told: once it rang, the knob is gone.
+/// The force drives the device's mass alone; if the loop rang before, the knob counts as lost.
 TEST(ForceChain, AHandleThatFliesAloneLosesForceAndOneThatRangIsAFault) {
     for (const bool rang : {false, true}) {
         ForceLimits limits;

@@ -1,4 +1,4 @@
-// What each input of the chain does by itself, and what each of its limits comes from.
+// What each input of the chain does on its own, and where each of its limits comes from.
 
 #include "haptics/pantograph/profile.h"
 #include "tests/haptics/safety/chains.h"
@@ -124,7 +124,7 @@ TEST(ForceChainInputs, PosesFadeStraightBetweenTheirTwoConditions) {
                     1e-9);
 }
 
-/// A profile's continuous torque of zero makes the heat of the motors 0 / 0.
+/// A profile with a continuous torque of zero makes the heat of the motors 0 / 0.
 TEST(ForceChainInputs, WhatComesOutAsNoNumberIsAFault) {
     ForceLimits limits;
     limits.continuous_torque_Nm = 0.0;
@@ -167,7 +167,7 @@ TEST(ForceChainInputs, CutsAreForgottenInASecond) {
     EXPECT_EQ(chain.status().fault, Fault::ringing);
 }
 
-/// Brakes grow from nothing, not from the drive that was just taken away.
+/// Brakes grow from zero, not from the drive that was just taken away.
 TEST(ForceChainInputs, AFastHandIsBrakedInTheSameTick) {
     ForceChain chain = live_chain();
     (void)settled(chain, {1.4, 0.0});
@@ -182,7 +182,7 @@ TEST(ForceChainInputs, EnergyGivenIsTakenBackByDamping) {
     (void)settled(chain, {2.0, 0.0});
     const double full_N = chain.step(input, tick_s).force_D.x;
     input.velocity_D = {0.5, 0.0};
-    for (int i = 0; i < 200; ++i) {  // 0.1 m: 0.2 J but for what is forgotten and damped
+    for (int i = 0; i < 200; ++i) {  // 0.1 m: 0.2 J less what is forgotten and damped
         input.p_D.x += 0.5 * tick_s;
         (void)chain.step(input, tick_s);
     }
@@ -195,7 +195,7 @@ bool chain_is_well(const ForceChain& chain) {
     return chain.state() != ForceState::fault;
 }
 
-/// How a handle moves that nobody holds, for so many ticks.
+/// Moves the handle as it moves when nobody holds it, for so many ticks.
 void fly_alone(ForceChain& chain, ChainInput& input, int ticks) {
     const TipMechanics tip;
     for (int i = 0; i < ticks; ++i) {
@@ -215,7 +215,7 @@ TEST(ForceChainInputs, AHandThatIsOffIsTold) {
     EXPECT_NE(chain.state(), ForceState::live);
 }
 
-/// One cut counts for 0.7 s: later the knob is not taken for lost, and nobody has to come.
+/// One cut counts for 0.7 s: after that the knob does not count as lost, and nobody has to come.
 TEST(ForceChainInputs, WhatRangASecondAgoIsForgottenWhenTheHandLetsGo) {
     ForceChain chain = live_chain();
     ChainInput input = wanting({0.0, 0.0});
@@ -227,7 +227,7 @@ TEST(ForceChainInputs, WhatRangASecondAgoIsForgottenWhenTheHandLetsGo) {
     EXPECT_NE(chain.state(), ForceState::fault);
 }
 
-/// Energy that the hand was given, cuts and a hand that is off: each would end in the next fault.
+/// Energy given to the hand, cuts and a missing hand would each cause the next fault.
 TEST(ForceChainInputs, AFaultForgetsWhatWasBefore) {
     ForceLimits limits;
     limits.times.arm_s = 0.05;
@@ -264,7 +264,7 @@ TEST(ForceChainInputs, AFaultForgetsWhatWasBefore) {
     (void)run(alone, input, 200);
     EXPECT_EQ(alone.state(), ForceState::live);
     input.wanted_D = {1.5, 0.0};
-    fly_alone(alone, input, 60);  // no cut was ever made: it is not lost
+    fly_alone(alone, input, 60);  // no cut ever happened, so it does not count as lost
     EXPECT_NE(alone.state(), ForceState::fault);
 }
 

@@ -1,4 +1,4 @@
-// Whatever doubles come in: finite out, within every limit, zero in doubt.
+// Whatever doubles come in, what comes out is finite, within every limit, and zero in doubt.
 
 #include "tests/haptics/safety/chains.h"
 
@@ -47,7 +47,7 @@ Jacobian any_jacobian() {
     return {{entry(), entry()}, {entry(), entry()}};
 }
 
-/// Each input now and then anything, else what a device and a hand give.
+/// Each input is now and then anything, and otherwise what a device and a hand give.
 ChainInput any_input() {
     const auto is_odd = [] { return *rc::gen::inRange(0, 15) == 0; };
     const auto ordinary = [](double most) { return most * *rc::gen::inRange(-1000, 1001) / 1000; };
@@ -89,7 +89,7 @@ RC_GTEST_PROP(ForceChainProperties, AnyDoublesGiveFiniteForcesWithinEveryLimit, 
             RC_ASSERT(is_zero(out));
         if (chain.state() == ForceState::fault) RC_ASSERT(is_zero(out));
         last = out.force_D;
-        // Faults end, so that there is force to be limited.
+        // Faults end, so that there is force to limit.
         if (chain.state() == ForceState::fault && *rc::gen::inRange(0, 2) == 0) {
             chain = live_chain();
             last = {};

@@ -56,7 +56,7 @@ TEST(ForceChain, HA2_FadesOutWithin50MillisecondsAndResumes) {
     EXPECT_LE(ticks, 51);
     EXPECT_EQ(chain.step(fading, tick_s).force_D, Force{});
     (void)run(chain, wanting({1.5, 0.0}), 298);
-    EXPECT_EQ(chain.state(), ForceState::ramp);  // no sooner than in 0.3 s
+    EXPECT_EQ(chain.state(), ForceState::ramp);  // no sooner than after 0.3 s
     (void)run(chain, wanting({1.5, 0.0}), 3);
     EXPECT_EQ(chain.state(), ForceState::live);
     EXPECT_EQ(settled(chain, {1.5, 0.0}).force_D, (Force{1.5, 0.0}));

@@ -1,4 +1,4 @@
-// The parts of the force chain, each by itself.
+// The parts of the force chain, each on its own.
 
 #include "haptics/device/tip_dynamics.h"
 #include "haptics/safety/energy_guard.h"
@@ -31,7 +31,7 @@ TEST(SpeedLimit, LeavesWhatBrakesAndWhatGoesAcross) {
     EXPECT_TRUE(is_braked({nan, 0.0}));
 }
 
-/// Nothing is driven on, and there is no way to drive it along.
+/// A handle at rest is not driven, and nothing can drive it along.
 TEST(SpeedLimit, LeavesEveryForceOnAHandleAtRest) {
     EXPECT_EQ(without_drive({1.0, -2.0}, {}), (Force{1.0, -2.0}));
 }
@@ -46,7 +46,7 @@ TEST(SpeedWatch, TooFastIsAboveTheLimit) {
     EXPECT_TRUE(watch.step(1.501, tick_s));
 }
 
-/// Slower than 0.2 m/s, for a second without a break.
+/// The state ends after a full second slower than 0.2 m/s.
 TEST(SpeedWatch, TooFastEndsAfterASecondOfSlowness) {
     constexpr double quarter_s = 0.25;
     SpeedWatch watch;
@@ -77,7 +77,7 @@ TEST(MotorHeat, TheContinuousTorqueWarmsToTheRatedRise) {
 TEST(MotorHeat, IsDeratedStraightFrom70To90PerCent) {
     for (const double rise : {0.5, 0.7, 0.75, 0.8, 0.85, 0.9, 1.2}) {
         MotorHeat heat(1.0, 1e-3);
-        heat.step({std::sqrt(rise), 0.1}, tick_s);  // at once: as long as it takes
+        heat.step({std::sqrt(rise), 0.1}, tick_s);  // reached in one tick, the time constant
         EXPECT_NEAR(heat.rise(), rise, 1e-12);
         EXPECT_NEAR(heat.allowed(), std::clamp((0.9 - rise) / 0.2, 0.0, 1.0), 1e-9) << rise;
     }
@@ -121,17 +121,17 @@ TEST(PositionGuard, AGlitchIsPassedOver) {
     EXPECT_EQ(guard.step({nan, 0.0}, tick_s), Sample::held);
     EXPECT_EQ(guard.step({1e-3, 0.0}, tick_s), Sample::good);
     guard.miss(0.02);
-    EXPECT_EQ(guard.step({0.03, 0.0}, tick_s), Sample::good);  // it had the time
+    EXPECT_EQ(guard.step({0.03, 0.0}, tick_s), Sample::good);  // there was time enough
 }
 
-/// What was far and right long ago does not make a jump of today possible.
+/// A distant good place of long ago does not make a jump of today possible.
 TEST(PositionGuard, AJumpIsHeldHoweverLongAllWasWell) {
     PositionGuard guard(2e-4);
     for (int i = 0; i < 1000; ++i) ASSERT_EQ(guard.step({}, tick_s), Sample::good);
     EXPECT_EQ(guard.step({0.05, 0.0}, tick_s), Sample::held);
 }
 
-/// Three ticks in a row: those of a glitch before do not count.
+/// Each glitch is held for three ticks in a row; those of an earlier glitch do not count.
 TEST(PositionGuard, EveryGlitchIsHeldForThreeTicks) {
     PositionGuard guard(2e-4);
     for (int glitch = 0; glitch < 3; ++glitch) {
@@ -140,8 +140,8 @@ TEST(PositionGuard, EveryGlitchIsHeldForThreeTicks) {
     }
 }
 
-/// A device under a steady force in the hand of somebody who means to stay where they are. When it
-/// was found to be without a hand; 0: never, in a second.
+/// Puts a device under a steady force in the hand of somebody who means to stay put. Returns when
+/// it was found to be without a hand; 0: never, in a second.
 double found_alone_s(const HandModel& hand, double force_N, double mass_factor) {
     const TipMechanics tip{0.07, 0.2, 0.1, 2e-4};
     TipDynamics dynamics({mass_factor * tip.mass_kg, tip.viscous_Ns_per_m, tip.coulomb_N}, hand,

@@ -1,4 +1,4 @@
-// When a hand is taken for off, to the window and to the threshold.
+// When a hand counts as off: the exact window and threshold.
 #include "haptics/safety/hand_presence.h"
 
 #include "tests/haptics/tick.h"
@@ -11,12 +11,12 @@
 namespace touchline {
 namespace {
 
-/// The device alone, just as it is described, measured as late as it says: by 3 ms.
+/// The device alone, exactly as described, measured 3 ms late.
 class LoneTip {
   public:
     explicit LoneTip(const TipMechanics& tip) : tip_(tip), presence_(tip) {}
 
-    /// True once the hand is taken for off.
+    /// Returns true once the hand counts as off.
     bool driven(Force force, int ticks) {
         for (int i = 0; i < ticks; ++i) {
             const double speed = norm(velocity_);
@@ -31,7 +31,7 @@ class LoneTip {
         return presence_.is_off();
     }
 
-    /// Goes on at its speed, under no force: nothing to judge by.
+    /// Goes on at its speed under no force, so that there is nothing to judge by.
     bool coasting(int ticks) {
         rate_ = {};
         for (int i = 0; i < ticks; ++i) step({});
@@ -66,7 +66,7 @@ TEST(LoneHandle, ItsFrictionIsTakenIntoAccount) {
     EXPECT_TRUE(viscous.driven({0.0, 3.0}, 31));
 }
 
-/// About 0.6 N: below, the noise of the encoders would decide.
+/// Below about 0.6 N the noise of the encoders would decide.
 TEST(LoneHandle, IsNotJudgedByLittleForce) {
     LoneTip tip({});
     EXPECT_FALSE(tip.driven({0.5, 0.0}, 500));
@@ -82,7 +82,7 @@ TEST(LoneHandle, IsRememberedForHalfASecondWithoutForce) {
     EXPECT_FALSE(late.coasting(600));
     EXPECT_FALSE(late.driven({2.0, 0.0}, 20));
     EXPECT_TRUE(late.driven({2.0, 0.0}, 20));
-    LoneTip in_parts({});  // each pause by itself counts
+    LoneTip in_parts({});  // each pause on its own
     for (int i = 0; i < 2; ++i) {
         EXPECT_FALSE(in_parts.driven({2.0, 0.0}, 10));
         EXPECT_FALSE(in_parts.coasting(300));
@@ -95,7 +95,7 @@ TEST(LoneHandle, OneContradictionIsAHand) {
     EXPECT_FALSE(tip.driven({2.0, 0.0}, 20));
     LoneTip held = tip;
     HandPresence presence = held.presence();
-    for (int i = 0; i < 200; ++i)  // it stands still under the same force
+    for (int i = 0; i < 200; ++i)  // stands still under the same force
         EXPECT_FALSE(presence.step({2.0, 0.0}, {}, {0.01, 1e-3 * i}, tick_s));
 }
 
@@ -121,7 +121,7 @@ TEST(StillHandle, HalfANewtonIsNotMoreThanHalfANewton) {
     EXPECT_FALSE(above.is_alone());
 }
 
-/// It is no hand's doing yet if it stirs by less than the tip's counts tell.
+/// A stir below what the tip's counts can tell does not show a hand.
 TEST(StillHandle, AHandIsBackOnceItMovesByMoreThanTwoTenthsAndACount) {
     HandPresence presence({.count_m = 3e-4});
     for (int i = 0; i < 20'100; ++i) (void)presence.step({1.0, 0.0}, {}, {}, tick_s);

@@ -1,4 +1,4 @@
-// The limits of a motor at the handle, each by itself.
+// The limits of a motor at the handle, each on its own.
 #include "haptics/safety/handle_limit.h"
 
 #include "tests/haptics/safety/chains.h"
@@ -10,14 +10,14 @@ namespace {
 
 constexpr double most_Nm = 0.09;
 
-/// The limits that nobody sets, for a motor of 0.09 Nm.
+/// The default limits for a motor of 0.09 Nm.
 HandleLimit motor() {
     HandleLimits limits;
     limits.torque_Nm = most_Nm;
     return HandleLimit(limits);
 }
 
-/// After so many ticks of a wanted torque at that turn.
+/// Returns the torque after so many ticks of a wanted torque at that turn.
 double told_Nm(HandleLimit& motor, double wanted_Nm, double turn_rad_per_s, int ticks) {
     for (int i = 0; i < ticks; ++i) (void)motor.step(wanted_Nm, turn_rad_per_s, 1.0, 1.0, tick_s);
     return motor.told_Nm();
@@ -41,7 +41,7 @@ TEST(HandleLimit, IsQuietBelowAMillinewtonmetre) {
     const HandleLimit handle = motor();
     EXPECT_TRUE(handle.is_quiet(-0.9e-3));
     EXPECT_FALSE(handle.is_quiet(1e-3));
-    EXPECT_TRUE(HandleLimit(HandleLimits{}).is_quiet(1.0));  // without a motor always
+    EXPECT_TRUE(HandleLimit(HandleLimits{}).is_quiet(1.0));  // always, without a motor
 }
 
 TEST(HandleLimit, StopsAtOnceAndRisesFromZeroAgain) {
@@ -52,8 +52,8 @@ TEST(HandleLimit, StopsAtOnceAndRisesFromZeroAgain) {
     EXPECT_NEAR(told_Nm(handle, 0.05, 0.0, 1), 0.003, 1e-12);
 }
 
-/// 0.06 Nm bears it for ever; at 0.09 the rise is rated after -60 s ln(1 - 1 / 1.5^2), and 70 and
-/// 90 % of it are reached after 22.7 and 30.6 s.
+/// The motor bears 0.06 Nm for ever; at 0.09 Nm the rise is rated after -60 s ln(1 - 1 / 1.5^2),
+/// and reaches 70 and 90 % of that after 22.7 and 30.6 s.
 TEST(HandleLimit, WarmsWithItsTorqueOverAMinute) {
     HandleLimit resting = motor();
     EXPECT_NEAR(told_Nm(resting, 0.0, 0.0, 60'000), 0.0, 1e-12);
@@ -64,7 +64,7 @@ TEST(HandleLimit, WarmsWithItsTorqueOverAMinute) {
     EXPECT_NEAR(told_Nm(bearing, 0.049, 0.0, 120'000), 0.049, 1e-12);
 }
 
-/// As of the device: what its motor bears, and for how long.
+/// The limits come from the device: what its motor bears, and for how long.
 TEST(HandleLimit, IsThatOfTheDevice) {
     DeviceProfile profile = find_profile("gen3.1-turning").value();
     profile.mechanics.continuous_torque = 0.25;

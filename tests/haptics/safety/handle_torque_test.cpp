@@ -114,7 +114,7 @@ TEST(HandleTorque, WorkOfTheTorqueIsBooked) {
     EXPECT_EQ(chain.status().fault, Fault::energy);
 }
 
-/// Half a turn away nothing is done by a handle that is held there.
+/// A handle that is held half a turn away does no work.
 TEST(HandleTorque, NoWorkIsDoneAtRest) {
     ForceChain chain = live_chain(with_handle());
     ChainInput input = twisting(0.08);
@@ -123,7 +123,7 @@ TEST(HandleTorque, NoWorkIsDoneAtRest) {
     EXPECT_EQ(chain.status().fault, Fault::none);
 }
 
-/// Turns that come to less than 0.2 mm at the fingers are the encoder's.
+/// Turns of less than 0.2 mm at the fingers count as encoder noise.
 TEST(HandleTorque, AHandThatOnlyTurnsIsThere) {
     for (const double turn_rad : {0.0, 0.005, 0.2}) {
         ForceChain chain = live_chain(with_handle());
@@ -136,7 +136,7 @@ TEST(HandleTorque, AHandThatOnlyTurnsIsThere) {
     }
 }
 
-/// Whatever it was told before.
+/// It does so whatever torque came before.
 TEST(HandleTorque, BeginsAtZeroAfterAFault) {
     ForceChain chain = live_chain(with_handle());
     (void)run(chain, twisting(0.05));

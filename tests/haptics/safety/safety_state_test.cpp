@@ -1,4 +1,4 @@
-// Every state under every combination of what may hold in a tick.
+// Every state under every combination of the flags and faults of a tick.
 
 #include "haptics/safety/safety_state.h"
 
@@ -50,7 +50,7 @@ bool may_end(Fault fault, const SafetyFlags& flags) {
 }
 
 void expect_legal(const SafetyState& before, const SafetyFlags& flags, const SafetyState& after) {
-    // What holds in every state.
+    // Holds in every state.
     ASSERT_TRUE(after.gain >= 0.0 && after.gain <= 1.0);
     ASSERT_LE(after.gain - before.gain, tick_s / times.resume_s + 1e-12);
     ASSERT_EQ(after.state == ForceState::fault, after.fault != Fault::none);
@@ -65,7 +65,7 @@ void expect_legal(const SafetyState& before, const SafetyFlags& flags, const Saf
     if (after.state == ForceState::ramp || after.state == ForceState::live) {
         ASSERT_EQ(after.quiet_s, 0.0);
     }
-    // Faults come at once and go by their rule; the gravest is told.
+    // Faults come at once and go by their rule; the gravest is reported.
     if (flags.faults != 0) {
         ASSERT_EQ(after.fault, std::max(before.fault, gravest_of(flags.faults)));
         return;
@@ -76,7 +76,7 @@ void expect_legal(const SafetyState& before, const SafetyFlags& flags, const Saf
     } else {
         ASSERT_NE(after.state, ForceState::fault);
     }
-    // Off when and only when nobody wants force.
+    // Off if and only if nobody wants force.
     if (after.state != ForceState::fault) {
         ASSERT_EQ(after.state == ForceState::off, !flags.is_wanted);
     }
@@ -120,7 +120,7 @@ TEST(SafetyState, EveryStateUnderEveryCombinationOfFlags) {
 TEST(SafetyState, TimesAreReachedNotPassed) {
     constexpr SafetyTimes halves{.arm_s = 0.25, .start_s = 1.0, .resume_s = 0.5, .fade_s = 0.125};
     SafetyState state{ForceState::armed, Fault::none, 0.0, 0.125, 0.0};
-    state = next(state, {}, halves, 0.125);  // 0.25 s of quiet: on its way at once
+    state = next(state, {}, halves, 0.125);  // after 0.25 s of quiet it is on its way at once
     EXPECT_EQ(state, (SafetyState{ForceState::ramp, Fault::none, 0.125, 0.0, 1.0}));
     SafetyFlags fading;
     fading.is_fading = true;
@@ -134,7 +134,7 @@ TEST(SafetyState, TimesAreReachedNotPassed) {
               (SafetyState{ForceState::armed, Fault::none, 0.0, 0.0, 0.0}));
 }
 
-/// A force that ends is felt to end: it does not break off.
+/// A force that ends fades perceptibly: it does not break off.
 TEST(SafetyState, ForceFadesWithinFiftyMilliseconds) {
     SafetyState state{ForceState::live, Fault::none, 1.0, 0.0, 2.0};
     SafetyFlags fading;
@@ -157,7 +157,7 @@ TEST(SafetyState, TheGraverAFaultIsTheLessEasilyItClears) {
     EXPECT_EQ(before, Fault::emergency_stop);
 }
 
-/// Of a state that a broken memory made.
+/// Corrupted memory may make such a state.
 TEST(SafetyState, AStateThatIsNoneIsOff) {
     const SafetyState none{static_cast<ForceState>(force_state_count), Fault::none, 1.0, 0.0, 2.0};
     EXPECT_EQ(next(none, {}, times, tick_s), SafetyState{});

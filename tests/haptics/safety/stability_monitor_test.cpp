@@ -11,8 +11,8 @@
 namespace touchline {
 namespace {
 
-/// A wall of 500 N/m that a hand presses by 0.2 N and swings in by `amplitude_N`, the force late by
-/// one tick: the loop gives energy.
+/// A hand presses a wall of 500 N/m by 0.2 N and swings in by `amplitude_N`. The force is late by
+/// one tick, so the loop gives energy.
 void ring(StabilityMonitor& monitor, double amplitude_N, double frequency_Hz, int ticks) {
     constexpr double stiffness_N_per_m = 500.0;
     double before_N = 0.2;
@@ -26,7 +26,7 @@ void ring(StabilityMonitor& monitor, double amplitude_N, double frequency_Hz, in
     }
 }
 
-/// A force that changes as much while the hand slides along, so that nothing is given.
+/// The force changes as much while the hand slides along, so it gives no energy.
 void scan(StabilityMonitor& monitor, double amplitude_N, double frequency_Hz, int ticks) {
     for (int i = 0; i < ticks; ++i) {
         const double phase = 2.0 * std::numbers::pi * frequency_Hz * tick_s * i;
@@ -62,7 +62,7 @@ TEST(StabilityMonitor, LeavesAloneWhatAHandFeelsOnPurpose) {
     EXPECT_EQ(monitor.cuts(), 0U);
 }
 
-/// Slower than 20 Hz is a hand, and so are two or three swings.
+/// A swing slower than 20 Hz is a hand's, and so are two or three swings.
 TEST(StabilityMonitor, TakesNoSlowOrShortSwingForRinging) {
     EXPECT_EQ(rung(0.25, 18.0, 5000).cuts(), 0U);
     EXPECT_EQ(rung(0.5, 10.0, 5000).cuts(), 0U);
@@ -70,7 +70,8 @@ TEST(StabilityMonitor, TakesNoSlowOrShortSwingForRinging) {
     EXPECT_EQ(rung(0.5, 80.0, 20).cuts(), 0U);
 }
 
-/// 0.1 W given by a torque while the force rests; taken, it is none.
+/// A torque that gives 0.1 W while the force rests counts as ringing; one that takes as much does
+/// not.
 TEST(StabilityMonitor, CountsTheWorkOfATorque) {
     for (const double turning_J : {1e-4, -1e-4}) {
         StabilityMonitor monitor;
@@ -150,7 +151,7 @@ TEST(StabilityMonitor, NonsenseBeginsAnewAndKeepsTheGain) {
         EXPECT_EQ(monitor.step({{0.0, 0.0}, {}, 0.0}, bad_s), cut);
 }
 
-/// Energy, spring and swings of before count for nothing.
+/// Earlier energy, spring and swings count for nothing.
 TEST(StabilityMonitor, AfterNonsenseNothingIsCompared) {
     const StabilityMonitor::Tick nonsense{{std::numeric_limits<double>::quiet_NaN(), 0.0}, {}, 0.0};
     StabilityMonitor spring;
@@ -174,7 +175,7 @@ TEST(StabilityMonitor, AfterNonsenseNothingIsCompared) {
     EXPECT_EQ(swung.cuts(), 0U);
 }
 
-/// Energy of a second ago, and swings a third of a second apart, are no ringing together.
+/// Energy of a second ago and swings a third of a second apart make no ringing together.
 TEST(StabilityMonitor, ForgetsWhatWasBefore) {
     StabilityMonitor kicked;
     for (int i = 0; i < 25; ++i) kicked.step({{0.0, 1.0}, {0.0, 2e-4}, 0.0}, tick_s);  // 5 mJ
@@ -189,7 +190,7 @@ TEST(StabilityMonitor, ForgetsWhatWasBefore) {
     EXPECT_EQ(tapped.cuts(), 0U);
 }
 
-/// A tick that is not continued is as good as nonsense: contact was dropped.
+/// A tick that does not continue the last one counts like nonsense: contact was dropped.
 TEST(StabilityMonitor, ADroppedContactIsNoEnergy) {
     StabilityMonitor monitor;
     for (int i = 0; i < 10; ++i) {
@@ -199,7 +200,7 @@ TEST(StabilityMonitor, ADroppedContactIsNoEnergy) {
     EXPECT_EQ(monitor.cuts(), 0U);
 }
 
-/// A wall that is pressed already when the monitor begins was not charged in that tick.
+/// A wall that the hand already presses when the monitor begins was not charged in that tick.
 TEST(StabilityMonitor, TheFirstTickIsComparedWithNothing) {
     StabilityMonitor monitor;
     monitor.step({{0.0, 1.0}, {}, 0.05}, tick_s);

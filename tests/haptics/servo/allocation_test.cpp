@@ -1,4 +1,4 @@
-// The tick must not allocate: every allocation in this program is counted while a tick runs.
+// The tick must not allocate. The test counts every allocation of this program during a tick.
 
 #include "haptics/device/simulated_pantograph.h"
 #include "haptics/servo/servo_loop.h"
@@ -31,7 +31,7 @@ TEST(Tick, AllocatesNothingInAHundredThousandTicks) {
     ServoCommands commands;
     std::uint64_t in_contact = 0;
     for (int k = 0; k < ticks; ++k) {
-        if (k % 5000 == 0) {  // another scene, mode and level, from the kiosk's side
+        if (k % 5000 == 0) {  // another scene, mode and level, as the kiosk sets them
             exchange.feel(turned_wave_scene(0.0001 * k));
             constexpr std::array modes{Mode::groove, Mode::wall, Mode::ridge, Mode::wall,
                                        Mode::stay};

@@ -1,4 +1,4 @@
-// The servo's loop with the driver and an emulated board in place of the simulated pantograph.
+// The servo's loop with the driver and an emulated board instead of the simulated pantograph.
 #include "haptics/servo/servo_loop.h"
 #include "tests/haptics/servo/rigs.h"
 #include "tests/sim/board/board_rig.h"
@@ -12,7 +12,7 @@
 namespace touchline {
 namespace {
 
-/// The hand is taken to a place in the area before the test begins, as homing would know.
+/// The calibration of a hand that starts at a known place in the area, as after homing.
 Calibration known_start(const DeviceProfile& profile, Position p_W) {
     Calibration calibration;
     calibration.offset = angles_at(profile, p_W) - profile.home;
@@ -61,7 +61,8 @@ TEST_F(BoardLoop, AWallIsFeltThroughTheWholeWay) {
     EXPECT_EQ(rig.driver->report().resyncs, 1U);
 }
 
-/// Root mean square of the tip's speed across a line that a light hand goes along, pressed to it.
+/// Returns the root mean square of the tip's speed across a line that a light hand follows and
+/// presses.
 double shake_m_per_s(bool do_counts_step_back, int& faults) {
     const DeviceProfile& profile = default_profile();
     BoardTruth truth;
@@ -92,7 +93,7 @@ double shake_m_per_s(bool do_counts_step_back, int& faults) {
     return std::sqrt(squares / ticks);
 }
 
-// 1.9 mm/s against 1.1 is accepted: without the play of half a count it was 3.7 against 1.2.
+// 1.9 mm/s against 1.1 is accepted; without the play of half a count it was 3.7 against 1.2.
 TEST(BoardLoopCounts, ACounterThatStepsBackShakesLittleMoreAndDoesNotTrip) {
     int faults = 0;
     EXPECT_LT(shake_m_per_s(false, faults), 0.00125);

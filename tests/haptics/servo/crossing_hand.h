@@ -1,5 +1,5 @@
-// A hand that goes to and fro across a wave, and what its ticks cost in page faults: for whoever
-// counts what a tick takes. Threads: any.
+// A hand that goes to and fro across a wave, and the page faults of its ticks, for tests that count
+// the cost of a tick. Threads: any.
 #pragma once
 
 #include "haptics/collision/scene.h"
@@ -15,7 +15,7 @@
 
 namespace touchline {
 
-/// A wave of 20 mm height across the drawing area, 1000 edges.
+/// A wave of 20 mm height across the drawing area, with 1000 edges.
 inline std::shared_ptr<const Scene> turned_wave_scene(double phase_rad) {
     TactileMap map;
     Outline wave;
@@ -27,7 +27,7 @@ inline std::shared_ptr<const Scene> turned_wave_scene(double phase_rad) {
     return std::make_shared<const Scene>(build_scene(map, {}, 0.001).value());
 }
 
-/// To and fro across the middle, up to `reach_m` above and below it, a turn each half second.
+/// Goes to and fro across the middle, up to `reach_m` above and below it, a turn each half second.
 inline std::shared_ptr<const IntendedPath> to_and_fro(int turns, double reach_m) {
     std::vector<WaypointPath::Waypoint> waypoints;
     for (int i = 0; i <= turns; ++i)

@@ -116,7 +116,7 @@ TEST(EventRing, NoValueIsTornLostOrOutOfOrderBetweenThreads) {
     writer.join();
 }
 
-/// Every byte of what two sides share, as a corrupted peer may leave it.
+/// Fills every byte that two sides share, as a corrupted peer may leave it.
 template <class Shared>
 void fill_with(Shared& shared, unsigned char byte) {
     std::memset(static_cast<void*>(&shared), byte, sizeof shared);
@@ -294,7 +294,7 @@ TEST(ServoExchange, ScenesAreFreedByTheKiosksThreadWhileTheServoReadsThem) {
     std::thread servo([&] {
         while (!is_done.load()) {
             const Scene* const scene = exchange.wanted_scene();
-            // Reads the scene; an address sanitizer would see one freed too early.
+            // Reads the scene; an address sanitizer would see one that was freed too early.
             EXPECT_TRUE(scene == nullptr || scene->map_version >= 1U);
             exchange.release_older_scenes();
         }

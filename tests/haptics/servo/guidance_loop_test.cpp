@@ -9,7 +9,7 @@
 namespace touchline {
 namespace {
 
-/// A hand that means to be where it is, or where it is told to stay.
+/// Means to be where it is, or where it is told to stay.
 class LedHand final : public IntendedPath {
   public:
     explicit LedHand(Position start) : meant_(start) {}
@@ -79,7 +79,7 @@ TEST(GuidanceLoop, ATourLeadsAHandThroughWallsAndLeavesThemAsTheyWere) {
     double furthest_m = 0.0;
     for (int i = 0; i < 15'000; ++i) {
         const HandState& state = loop.tick();
-        ASSERT_EQ(state.spring_gain, 1.0);  // nothing is taken for ringing
+        ASSERT_EQ(state.spring_gain, 1.0);  // nothing counts as ringing
         if (state.guidance.phase == GuidancePhase::arrived) break;
         if (!state.guidance.is_on_line) continue;
         const double off_m =
@@ -92,7 +92,7 @@ TEST(GuidanceLoop, ATourLeadsAHandThroughWallsAndLeavesThemAsTheyWere) {
 
     loop.run(500);
     EXPECT_EQ(loop.step->report().hand.mode, Mode::wall);
-    // The wall holds again, from the side on which the hand was left.
+    // The wall holds again, from the side on which guidance left the hand.
     loop.is_relaxed = false;
     const Position from = loop.device->tip().position;
     for (int i = 0; i < 500; ++i) {
@@ -118,7 +118,7 @@ TEST(GuidanceLoop, HA1_AStopIsFeltWithin50ms) {
     EXPECT_LT(norm(loop.step->report().hand.force), 0.005);
     EXPECT_EQ(loop.step->report().hand.guidance.phase, GuidancePhase::stopped);
     loop.run(1'000);
-    // Back to where the hand holds it, to what friction keeps.
+    // It is back where the hand holds it, up to the friction.
     EXPECT_LT(norm(loop.device->tip().position - loop.hand->at(0.0).position), 0.001);
 }
 
@@ -148,7 +148,7 @@ TEST(GuidanceLoop, ATourThatIsAskedInAGrooveBringsForceOn) {
     loop.commands.mode = Mode::groove;
     loop.commands.is_force_wanted = false;
     loop.is_relaxed = false;
-    loop.hand->stay({0.0, 0.0213});  // pulled by more than force may begin with
+    loop.hand->stay({0.0, 0.0213});  // pulled by more than the force may begin with
     loop.run(300);
     loop.commands.is_force_wanted = true;
     loop.run(800);
@@ -173,7 +173,7 @@ TEST(GuidanceLoop, HA3_EveryPatternIsFeltAndMovesTheHandleNowhere) {
         EXPECT_LE(loop.most_N, 1.0);
         EXPECT_GT(furthest_m, 2e-5);
         EXPECT_LT(furthest_m, 0.003);
-        EXPECT_LT(norm(loop.device->tip().position - at), 0.001);  // what friction keeps
+        EXPECT_LT(norm(loop.device->tip().position - at), 0.001);  // up to the friction
         EXPECT_EQ(loop.step->report().hand.guidance.pattern_serial, 1U);
         EXPECT_EQ(loop.step->report().hand.spring_gain, 1.0);
     }

@@ -1,4 +1,4 @@
-// A shape in the hand, through the production tick: keys or a handle turn it, lines hold it.
+// A shape in the hand through the production tick: keys or a handle turn it, lines hold it.
 #include "haptics/device/simulated_pantograph.h"
 #include "haptics/servo/servo_loop.h"
 #include "tests/haptics/servo/rigs.h"
@@ -19,7 +19,7 @@ DeviceProfile turning() {
     return find_profile("gen3.1-turning").value();
 }
 
-/// A bar in the hand above the line y = 0, live.
+/// A bar in the hand above the line y = 0, with live force.
 struct Held {
     std::shared_ptr<const Scene> scene = line_scene(0.0);
     ShapeInHand hand;
@@ -41,7 +41,7 @@ struct Held {
 
 TEST(HeldShape, WithoutOneNothingIsHeld) {
     Bench bench;
-    bench.input.commands.shape = HeldShape::bar;  // and nobody lent one
+    bench.input.commands.shape = HeldShape::bar;  // which nobody lent
     const auto scene = line_scene(0.0);
     bench.input.scene = scene.get();
     EXPECT_EQ(bench.run(1000).shape, HeldShape::none);
@@ -54,7 +54,7 @@ TEST(HeldShape, ALineStopsItsEdgeNotTheHandsPlace) {
     EXPECT_TRUE(hand.is_shape_placed);
     EXPECT_EQ(hand.mode, Mode::wall);
     EXPECT_NE(hand.state, ContactState::free);
-    EXPECT_NEAR(hand.p_WP.y, 0.0025, 1e-6);  // half of its 4 mm and the round of 0.5
+    EXPECT_NEAR(hand.p_WP.y, 0.0025, 1e-6);  // half of its 4 mm, plus its rounding of 0.5 mm
     EXPECT_GT(hand.force.y, 0.3);
     EXPECT_NEAR(hand.torque_Nm, 0.0, 2e-3);
     EXPECT_EQ(hand.outline, 0);
@@ -76,7 +76,7 @@ TEST(HeldShape, KeysTurnItSlowlyAndALineFeelsLikeATwist) {
     EXPECT_LE(hand.angle_rad, hand.proxy_angle_rad + 0.36);
     EXPECT_LT(hand.torque_Nm, -3e-3);
     EXPECT_GT(hand.p_WP.y, 0.005);
-    EXPECT_EQ(held.bench.step->handle_torque_Nm(), 0.0);  // no motor to tell it
+    EXPECT_EQ(held.bench.step->handle_torque_Nm(), 0.0);  // there is no motor to tell it to
 }
 
 TEST(HeldShape, AMotorAtTheHandleTellsItsTorque) {
@@ -116,7 +116,7 @@ TEST(HeldShape, AnotherShapeGoesThroughZeroForce) {
     }
     EXPECT_EQ(held.bench.hand().shape, HeldShape::disc);
     EXPECT_LT(least_N, 0.01);
-    // The line runs through the disc: it is not in the hand before the hand has left it.
+    // The line runs through the disc, so the hand does not hold it until it has left the line.
     EXPECT_FALSE(held.bench.run(500).is_shape_placed);
     EXPECT_EQ(held.bench.hand().force, Force{});
     held.bench.drag({0.0, 0.001}, {0.0, 0.01});

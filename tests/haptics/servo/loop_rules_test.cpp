@@ -1,4 +1,4 @@
-// What the loop does when the kiosk falls silent, when ticks come late, and when it is cut: all on
+// What the loop does when the kiosk falls silent, when ticks come late, and when it is cut, all on
 // a virtual clock.
 #include "haptics/servo/servo_loop.h"
 #include "tests/haptics/servo/rigs.h"
@@ -38,7 +38,7 @@ class ScriptedClock final : public Clock {
     std::int64_t time_ns_ = 0;
 };
 
-/// A pressed handle whose loop is told what happens tick by tick.
+/// Runs the loop with a pressed handle and tells it what happens tick by tick.
 class PressedRun {
   public:
     explicit PressedRun(const LoopRules& rules, std::int64_t period_ns = ms)
@@ -46,7 +46,7 @@ class PressedRun {
         exchange_.feel(line_scene(0.0));
     }
 
-    /// `script` is called before each tick with the time; the handle presses from 0.8 s on.
+    /// Calls `script` before each tick with the time; the handle presses from 0.8 s on.
     void go(double until_s, const std::function<void(std::int64_t)>& script) {
         ServoLoop loop(device_, default_profile(), 1e-9 * static_cast<double>(period_ns_),
                        exchange_, recorder_, rules_);
@@ -62,8 +62,8 @@ class PressedRun {
         loop.run(clock, period_ns_, end_);
     }
 
-    /// At 0.12 m/s: a handle that leaps is a fault. It sways along the line: one that rests has
-    /// been let go of.
+    /// Moves at 0.12 m/s, because a handle that leaps is a fault. Sways along the line, because one
+    /// that rests counts as let go.
     Position move(std::int64_t t_ns) {
         const Position way = (t_ns < 700 * ms ? above : handle_later) - place_;
         const double longest_m = 0.12e-9 * static_cast<double>(period_ns_);
@@ -76,7 +76,7 @@ class PressedRun {
 
     ServoChannel& channel() { return exchange_.channel(); }
 
-    /// Of the tick that began nearest before t_ns.
+    /// Returns the force of the last tick that began by t_ns.
     [[nodiscard]] double force_N(std::int64_t t_ns) const {
         double force = 0.0;
         for (const auto& [at_ns, newest] : forces_)
@@ -154,7 +154,7 @@ TEST(LoopRules, AfterASilenceForceComesBackByTheArmRuleOnly) {
     });
     EXPECT_GT(run.force_N(999 * ms), 0.9);
     for (std::int64_t t_ns = 1020 * ms; t_ns < 2000 * ms; t_ns += ms) {
-        ASSERT_EQ(run.force_N(t_ns), 0.0) << t_ns;  // pressed all the while: nobody is pushed
+        ASSERT_EQ(run.force_N(t_ns), 0.0) << t_ns;  // pressed all the time, but pushes nobody
     }
     EXPECT_GT(run.force_N(3400 * ms), 0.9);
 }

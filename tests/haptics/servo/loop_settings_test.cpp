@@ -44,9 +44,9 @@ TEST(VirtualDamping, ActsAlongTheSpringAndOnlyPushes) {
     EXPECT_EQ(damped(spring, {0.3, 0.0}, 1.5), spring);                  // along the wall
     EXPECT_EQ(damped(spring, {0.0, -0.1}, 1.5), (Force{0.0, 0.65}));     // in
     EXPECT_EQ(damped(spring, {0.0, 0.1}, 1.5), (Force{0.0, 0.35}));      // out
-    EXPECT_EQ(damped(spring, {0.0, 1.0}, 1.5), (Force{0.0, 0.0}));       // never a pull
-    EXPECT_EQ(damped({}, {0.0, -1.0}, 1.5), Force{});                    // nothing in the free
-    EXPECT_NEAR(damped({0.0, 0.02}, {0.0, -0.1}, 1.5).y, 0.035, 1e-12);  // little where it begins
+    EXPECT_EQ(damped(spring, {0.0, 1.0}, 1.5), (Force{0.0, 0.0}));       // never pulls
+    EXPECT_EQ(damped({}, {0.0, -1.0}, 1.5), Force{});                    // nothing in free space
+    EXPECT_NEAR(damped({0.0, 0.02}, {0.0, -0.1}, 1.5).y, 0.035, 1e-12);  // little near the surface
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(damped(spring, {nan, 0.0}, 1.5), (Force{0.0, 0.0}));
 }

@@ -1,5 +1,5 @@
-// With its memory locked the tick meets no page that is not there. In a process of its own, so that
-// the lock and the priority end with it.
+// With its memory locked the tick causes no page fault. Runs in a process of its own, so that the
+// lock and the priority end with it.
 
 #include "haptics/device/simulated_pantograph.h"
 #include "haptics/servo/real_time.h"
@@ -18,10 +18,10 @@
 namespace touchline {
 namespace {
 
-constexpr int unarmed_ticks = 200;  // no force can act by the arm rule: first calls may fault
+constexpr int unarmed_ticks = 200;  // the arm rule allows no force yet: first calls may fault
 constexpr int ticks = unarmed_ticks + 100'000;
 
-/// Over 10^5 ticks, the scenes that come meanwhile made by this thread but not counted.
+/// Counts over 10^5 ticks. This thread makes the scenes that come meanwhile, which do not count.
 std::int64_t faults_in_ticks() {
     SimulatedPantograph device(default_profile(), {}, to_and_fro(200, 0.01));
     ServoExchange exchange;

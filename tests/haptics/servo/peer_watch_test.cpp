@@ -59,7 +59,7 @@ TEST(ForceShare, FallsToZeroWithinTheFadeAndEndsAFadeThatHasBegun) {
     double last = share.step(true, tick_s);
     EXPECT_LT(last, 1.0);
     for (int k = 0; k < 7; ++k) {
-        const double now = share.step(false, tick_s);  // no longer wanted off, but begun
+        const double now = share.step(false, tick_s);  // no longer wanted off, but has begun
         EXPECT_LT(now, last);
         last = now;
     }

@@ -46,7 +46,7 @@ TEST(RealTimeTier, EachHasWordsThatBeginWithItsLetter) {
     }
 }
 
-/// As nobody, where this may change who it is, and without the right to real-time priority in any
+/// Becomes user nobody, if this process may, and gives up the right to real-time priority in any
 /// case.
 bool become_ordinary() {
     const rlimit none{0, 0};
@@ -57,7 +57,7 @@ bool become_ordinary() {
             setresuid(nobody, nobody, nobody) == 0);
 }
 
-/// What `ask` says in a process of an ordinary user.
+/// Returns what `ask` says in a process of an ordinary user.
 int told_by_an_ordinary_user(const std::function<int()>& ask) {
     const pid_t child = fork();
     if (child == 0) _exit(become_ordinary() ? ask() : 99);
@@ -84,7 +84,7 @@ TEST(RealTimeTier, OfAServoWithMotorsThatAnOrdinaryUserStartsIsNoBetterThanC) {
         while (servo.latest().ticks < 10) std::this_thread::yield();
         return static_cast<int>(servo.tier().value());
     });
-    // D where this machine has been too busy meanwhile.
+    // Tier D if this machine has been too busy meanwhile.
     EXPECT_TRUE(tier == static_cast<int>(RealTimeTier::best_effort) ||
                 tier == static_cast<int>(RealTimeTier::too_late))
         << tier;

@@ -59,7 +59,7 @@ TEST(Recorder, WhatIsWipedIsOverwrittenWhereItLay) {
     Recorder recorder(8000);
     ServoLoop loop(device, default_profile(), 1e-3, exchange, recorder);
     for (int i = 0; i < 6000; ++i) loop.tick(1e-3 * i, 0);
-    const TickRecord* const place = recorder.newest();  // memory of the recorder's own
+    const TickRecord* const place = recorder.newest();  // in the recorder's own memory
     ASSERT_NE(place->p_WH.x, 0.0);
     recorder.hold();
     loop.tick(6.0, 0);

@@ -1,4 +1,4 @@
-// The black box: written, read, run again; and whatever else may be found in its file.
+// The black box: written, read, run again; and what else may be in its file.
 
 #include "haptics/servo/recording.h"
 
@@ -23,7 +23,7 @@
 namespace touchline {
 namespace {
 
-/// A hand that explores two pictures in turn, with everything that may be set being set.
+/// A hand explores two pictures in turn while everything that can be set changes.
 struct Session {
     std::map<std::uint64_t, std::shared_ptr<const Scene>> scenes{{1, line_scene(0.0, 1)},
                                                                  {2, line_scene(0.004, 2)}};
@@ -49,7 +49,7 @@ struct Session {
             commands.guidance.serial = static_cast<std::uint32_t>(k / 1300);
             commands.pattern.pattern = static_cast<HandlePattern>(k / 900 % 6);
             commands.pattern.serial = static_cast<std::uint32_t>(k / 900);
-            // Not where the whole step is kept: a shape is no flat value.
+            // There is no shape where the whole step is kept, because a shape is not a flat value.
             commands.shape = static_cast<HeldShape>(k / 700 % 7 < 5 ? 0 : k / 700 % 5);
             commands.turn_rad = 0.5 * (k / 500 % 7);
             exchange.set(commands);
@@ -63,14 +63,14 @@ struct Session {
             {{1, "01.svg", 3, 11}, {2, is_second_of_gallery ? "02.svg" : "", 3, 22}});
     }
 
-    /// Built again, as another program would.
+    /// Builds the scene again, as another program would.
     [[nodiscard]] static Result<std::shared_ptr<const Scene>> built_again(std::uint64_t version) {
         return line_scene(version == 1 ? 0.0 : 0.004, version);
     }
 };
 
 TEST(Recording, RunAgainGivesTheSameBits) {
-    const Session session(12'000, 31'000);  // the beginning is overwritten
+    const Session session(12'000, 31'000);  // overwrites the beginning
     const auto bytes = encode(session.recording());
     const auto recording = decode(bytes);
     ASSERT_TRUE(recording.has_value()) << recording.error().line;
@@ -147,14 +147,14 @@ TEST(Recording, NothingButAWholeFileIsRead) {
     }
 }
 
-/// The same bytes with a checksum that is right again.
+/// Returns the same bytes with a correct checksum.
 std::vector<std::byte> signed_anew(std::vector<std::byte> bytes) {
     const std::uint64_t hash = checksum_of(std::span(bytes).first(bytes.size() - 8));
     std::memcpy(bytes.data() + bytes.size() - 8, &hash, 8);
     return bytes;
 }
 
-/// Everything but the start, which is believed.
+/// Damages everything but the start, which is trusted.
 TEST(Recording, DamageThatTheChecksumDoesNotShowIsReadOrRefusedAndRunsWithoutHarm) {
     const Session session(1500, 6400);
     const Recording recording = session.recording();

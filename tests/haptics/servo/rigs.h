@@ -14,7 +14,7 @@
 
 namespace touchline {
 
-/// Time passes only while somebody sleeps, and `work_ns` each time somebody looks.
+/// Time passes only while somebody sleeps, and by `work_ns` each time somebody looks.
 class VirtualClock final : public Clock {
   public:
     [[nodiscard]] std::int64_t now_ns() override { return time_ns_ += work_ns; }
@@ -27,7 +27,7 @@ class VirtualClock final : public Clock {
     std::int64_t time_ns_ = 0;
 };
 
-/// The angles that put the handle of `profile` at p_W.
+/// Returns the angles that put the handle of `profile` at p_W.
 inline JointAngles angles_at(const DeviceProfile& profile, Position p_W) {
     return inverse(profile.geometry, device_from_picture(profile, p_W)).value();
 }
@@ -50,7 +50,7 @@ class PlacedDevice final : public ForceDevice {
     std::optional<JointAngles> angles;
     JointTorques written;
     bool is_listening = true;
-    int zeros_until_held = 1;  // of zeros in a row, the one that is said to be held
+    int zeros_until_held = 1;  // the zero in a row that is reported as held
 
   private:
     int zeros_ = 0;

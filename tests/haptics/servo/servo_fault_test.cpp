@@ -10,7 +10,7 @@
 namespace touchline {
 namespace {
 
-/// Pressing on the line by 1 mm: 0.5 N.
+/// Presses on the line by 1 mm: 0.5 N.
 Bench pressing_bench(const std::shared_ptr<const Scene>& scene) {
     Bench bench = bench_above_a_line(scene);
     bench.drag({0.0, 0.01}, {0.0, -0.001});
@@ -19,7 +19,7 @@ Bench pressing_bench(const std::shared_ptr<const Scene>& scene) {
     return bench;
 }
 
-/// Back above the line until force has come on; false when it does not.
+/// Goes back above the line until force has come on; false if it does not.
 bool comes_back(Bench& bench) {
     bench.drag(bench.hand().p_WH, {0.0, 0.01});
     bench.run(900);

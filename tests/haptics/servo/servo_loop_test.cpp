@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::int64_t period_ns = 1'000'000;
 
-/// A clock that asks for the end of the loop at a moment.
+/// A clock that asks the loop to end at a given moment.
 class EndingClock final : public Clock {
   public:
     EndingClock(std::int64_t end_ns, LoopEnd& end) : end_ns_(end_ns), end_(end) {}
@@ -60,7 +60,7 @@ TEST(ServoLoop, SimulatedHandSlidesAlongTheWallAndNeverThroughIt) {
         EXPECT_GE(tick.p_WP.y, 0.0);
         most_N = std::max(most_N, norm(tick.force));
     }
-    // The hand (300 N/m) means to be 5 mm beyond a wall of 500 N/m.
+    // The hand (300 N/m) aims 5 mm beyond a wall of 500 N/m.
     const TickRecord& sliding = ticks[2200];
     EXPECT_EQ(sliding.state, ContactState::edge);
     EXPECT_NEAR(sliding.force.y, 0.94, 0.15);
@@ -168,7 +168,7 @@ TEST(ServoLoop, DeviceThatTakesNoTorquesIsAFault) {
     EXPECT_FALSE(recorder.ticks().back().is_refused) << "a zero that was only sent is no refusal";
 }
 
-/// Whoever looks at a loop that ended must see whether there may be torque still.
+/// A loop that ended must show whether there may still be torque.
 TEST(ServoLoop, ItsLastZeroIsWrittenUntilTheDeviceHoldsIt) {
     for (const int zeros_until_held : {1, 3, 1000}) {
         PlacedDevice device({0.0, 0.01});

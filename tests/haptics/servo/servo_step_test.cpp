@@ -16,7 +16,7 @@
 namespace touchline {
 namespace {
 
-/// The same handle with arm 1 on the other side: a pose that the device cannot be in.
+/// Places the same handle with arm 1 on the other side: a pose that the device cannot take.
 JointAngles with_elbow_turned_in(const DeviceProfile& profile, Position p_W) {
     const Position p_D = device_from_picture(profile, p_W);
     const JointAngles out = angles_at(profile, p_W);
@@ -123,7 +123,7 @@ TEST(ServoStep, OperatorsBoundsHoldTheAutomaticLevel) {
     bench.input.commands.coarsest_level = 0.0;
     bench.run(300);
     EXPECT_EQ(bench.hand().level, bench.hand().level_terms.encoder);
-    EXPECT_GT(bench.hand().level, 0.0);  // the device tells no finer
+    EXPECT_GT(bench.hand().level, 0.0);  // the device resolves no finer
 }
 
 TEST(ServoStep, AFixedLevelIsFeltWhateverTheSpeedUnlessTheDeviceTellsNoneSoFine) {
@@ -147,7 +147,7 @@ TEST(ServoStep, AFixedLevelIsFeltWhateverTheSpeedUnlessTheDeviceTellsNoneSoFine)
     EXPECT_EQ(bench.hand().level, scene->curves.coarsest());
 }
 
-/// Level, range and stiffness change while the hand presses on the line: the line holds, the force
+/// Level, range and stiffness change while the hand presses on the line. The line holds, the force
 /// never jumps, and off the line the level is the one that was set.
 TEST(ServoStep, TheOperatorSetsLevelRangeAndStiffnessUnderAPressingHand) {
     const auto scene = wave_scene(0.0);
@@ -175,14 +175,14 @@ TEST(ServoStep, TheOperatorSetsLevelRangeAndStiffnessUnderAPressingHand) {
     EXPECT_EQ(bench.hand().level, 3.0);
 }
 
-/// A device that tells 1 um, so that level 0 of a circle of 1 um edges is not too fine for it.
+/// A device that resolves 1 um, so that level 0 of a circle of 1 um edges is not too fine for it.
 DeviceProfile fine_device() {
     DeviceProfile profile = default_profile();
     profile.counts_per_turn = 1000.0 * profile.counts_per_turn;
     return profile;
 }
 
-/// At 0.5 m/s the hand passes more edges in a tick than a step walks along.
+/// At 0.5 m/s the hand passes more edges in a tick than a step follows.
 TEST(ServoStep, AFinestLevelThatTheTickCannotAffordIsNotReached) {
     constexpr double radius_m = 0.03;
     TactileMap map;
@@ -344,7 +344,7 @@ TEST(ServoStep, AWallLetsAPushThroughThatIsMeant) {
     EXPECT_EQ(bench.hand().force, Force{});
 }
 
-/// A light hand presses on a line through a device that is late; the gain of the spring at the end.
+/// A light hand presses on a line through a late device. Returns the final gain of the spring.
 double gain_after_pressing(double delay_s) {
     DeviceProfile profile = default_profile();
     profile.mechanics.delay_s = delay_s;
@@ -369,7 +369,7 @@ TEST(ServoStep, ALoopThatRingsIsSoftenedAndASoundOneIsNot) {
     EXPECT_LT(gain_after_pressing(0.003), 0.8);
 }
 
-/// What the loop measures of itself bounds the stiffness, whatever the operator asks for.
+/// What the loop measures of itself limits the stiffness, whatever the operator asks for.
 TEST(ServoStep, ALateLoopRendersSofterWalls) {
     Bench bench;
     bench.input.commands.stiffness_N_per_m = 900.0;

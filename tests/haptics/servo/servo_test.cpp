@@ -31,7 +31,7 @@ std::unique_ptr<ForceDevice> simulated_at_rest() {
     return simulated(std::make_shared<MouseHand>(Position{}));
 }
 
-/// Remembers beyond its own life what it was last told.
+/// Remembers its last torques beyond its own life.
 class WitnessedDevice final : public ForceDevice {
   public:
     WitnessedDevice(std::unique_ptr<ForceDevice> inner, JointTorques& last, bool& is_gone)
@@ -107,7 +107,7 @@ TEST(Servo, StopsWithZeroTorqueAndGivesTheDeviceUp) {
     EXPECT_EQ(last, JointTorques{});
     EXPECT_TRUE(is_gone);
     EXPECT_EQ(servo.latest().force, Force{});
-    servo.stop();  // again: nothing to do
+    servo.stop();  // a second time does nothing
 }
 
 TEST(Servo, DestructorStops) {
@@ -164,7 +164,7 @@ TEST(Servo, RealTimeIsGrantedOrRefusedButNeverFails) {
     servo.stop();
 }
 
-/// Read by this thread while the loop goes on in its own.
+/// This thread reads while the loop goes on in its own.
 TEST(Servo, ItsRecordingCanBeHeldAndReadWhileItRuns) {
     Servo servo;
     ASSERT_TRUE(servo.start(simulated_at_rest(), default_profile(), plain_thread(500)).has_value());

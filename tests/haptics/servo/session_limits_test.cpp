@@ -1,5 +1,5 @@
-// Whole sessions of every simulated hand: no limit of the force is ever broken, and no hand that
-// holds the handle in ordinary use is refused its force.
+// Whole sessions of every simulated hand: the force never breaks a limit, and no hand that holds
+// the handle in ordinary use loses its force.
 
 #include "haptics/device/simulated_pantograph.h"
 #include "haptics/servo/servo_step.h"
@@ -24,7 +24,7 @@ struct Course {
     bool is_wild = false;  // the handle is thrown, samples fail, numbers go wrong
 };
 
-/// What a session came to.
+/// The results of a session.
 struct Seen {
     int ticks = 0;
     int live = 0;

@@ -32,7 +32,7 @@ struct Bench {
         return hand();
     }
 
-    /// In small steps, as a hand moves.
+    /// Moves in small steps, as a hand does.
     void drag(Position from, Position to) {
         for (int i = 1; i <= 50; ++i) {
             place(from + i / 50.0 * (to - from));
@@ -45,7 +45,7 @@ struct Bench {
     [[nodiscard]] const ForceStatus& force() const { return step->report().force; }
 };
 
-/// Live, in free space above the line y = 0.
+/// Returns a bench with live force, in free space above the line y = 0.
 inline Bench bench_above_a_line(const std::shared_ptr<const Scene>& scene) {
     Bench bench;
     bench.input.scene = scene.get();

@@ -20,7 +20,7 @@ TEST(TickSchedule, IsAnEvenGrid) {
 
 TEST(TickSchedule, LateTickStillRunsWithinItsOwnPeriod) {
     TickSchedule schedule(0, ms);
-    schedule.finish(2 * ms - 1);  // the next, due at 1 ms, may yet begin
+    schedule.finish(2 * ms - 1);  // the next, due at 1 ms, may still begin
     EXPECT_EQ(schedule.due_ns(), ms);
     EXPECT_EQ(schedule.missed(), 0U);
 }
@@ -30,7 +30,7 @@ TEST(TickSchedule, OverrunSkipsAndCounts) {
     schedule.finish(2 * ms);  // the tick due at 1 ms is over
     EXPECT_EQ(schedule.due_ns(), 2 * ms);
     EXPECT_EQ(schedule.missed(), 1U);
-    schedule.finish(10'002 * ms + 7);  // a stall of ten seconds is no burst
+    schedule.finish(10'002 * ms + 7);  // a stall of ten seconds causes no burst
     EXPECT_EQ(schedule.due_ns(), 10'002 * ms);
     EXPECT_EQ(schedule.missed(), 10'000U);
 }
@@ -54,7 +54,7 @@ TEST(MonotonicClock, NeverWakesEarly) {
     const std::int64_t until = clock.now_ns() + 100'000;
     clock.sleep_until(until);
     EXPECT_GE(clock.now_ns(), until);
-    clock.sleep_until(0);  // long past: returns
+    clock.sleep_until(0);  // long past: returns at once
 }
 
 }  // namespace

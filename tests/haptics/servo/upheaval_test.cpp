@@ -1,5 +1,5 @@
 // Everything that may change under a hand changes, at random and at once, through the whole servo
-// step: level, range, stiffness, friction, mode and picture. Nothing ever lets the hand through.
+// step: level, range, stiffness, friction, mode and picture. It never lets the hand through.
 #include "haptics/servo/servo_step.h"
 #include "tests/haptics/scenes.h"
 #include "tests/haptics/servo/rigs.h"
@@ -141,7 +141,7 @@ TEST(Upheaval, NeverLetsTheHandThroughWhateverChanges) {
               << " in contact with a wall, " << all.levels << " changes of level, " << all.modes
               << " of mode, " << all.maps << " of the picture; largest step of the force "
               << all.worst_N << " N\n";
-    EXPECT_LE(all.worst_N, 1500.0 * tick_s + 1e-12);  // rough lines jolt; no more than the slew
+    EXPECT_LE(all.worst_N, 1500.0 * tick_s + 1e-12);  // rough lines jolt, but within the slew limit
     EXPECT_EQ(all.refused, 0);
     EXPECT_GT(all.in_wall_contact, 50000);
     EXPECT_GT(all.levels, 50000);

@@ -19,7 +19,7 @@ struct Errors {
     int stop_ticks = 0;  // after a stop until less than half of the speed is left
 };
 
-/// A steady hand seen through an encoder.
+/// Returns the errors for a steady hand seen through an encoder.
 Errors errors_at(double speed_m_per_s, double step_m) {
     VelocityEstimate estimate(step_m);
     double sum = 0.0;
@@ -44,8 +44,8 @@ Errors errors_at(double speed_m_per_s, double step_m) {
 }
 
 TEST(VelocityEstimate, IsQuietAtSteadySpeedsAndQuickToStop) {
-    // facts 1.4, FOAW of 16 at 1 ms: 0.3 / 0.2 / 0.2 mm/s at 10 um, 3.0 / 3.4 / 0.9 at 110 um;
-    // the phase between hand and encoder is another here. A stop is seen after 2 and 4 ms.
+    // facts 1.4, FOAW of 16 at 1 ms: 0.3 / 0.2 / 0.2 mm/s at 10 um, 3.0 / 3.4 / 0.9 at 110 um; here
+    // the phase between hand and encoder is another. The estimate sees a stop after 2 and 4 ms.
     const double speeds[] = {0.005, 0.051, 0.213};
     const double fine[] = {0.3e-3, 0.2e-3, 0.2e-3};
     const double coarse[] = {3.0e-3, 3.4e-3, 0.9e-3};

@@ -1,6 +1,7 @@
-// camera_probe: our camera code on whatever libcamera finds, which is to be the camera of
+// camera_probe: runs our camera code on whatever libcamera finds, which should be the camera of
 // tests/sim/usbredir. Waits for it, compares preview and still with what it shows, waits until it
-// is unplugged and plugged in again, and takes another still. Exits with 0 when all of that was so.
+// is unplugged and plugged in again, and takes another still. Exits with 0 if all of that
+// succeeded.
 #include "config/types/steady_clock.h"
 #include "tests/vision/camera/frames.h"
 #include "vision/camera/libcamera_port.h"
@@ -30,7 +31,7 @@ int complain(const std::string& line) {
     return 1;
 }
 
-/// Steps until `is_there` says so; false when that takes too long.
+/// Steps until `is_there` returns true; false if that takes too long.
 bool wait_until(Camera& camera, const std::function<bool(const CameraView&)>& is_there) {
     for (const double start_s = now_s(); now_s() < start_s + patience_s;) {
         if (is_there(camera.step(now_s()))) return true;

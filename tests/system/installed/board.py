@@ -9,13 +9,14 @@ from redirected import Redirected
 UNITS = f'{SETTINGS.rsplit("/", 1)[0]}/units.toml'
 SERVO = "systemctl list-units --state=running --plain --no-legend 'touchline-servo@*' | grep -q ."
 KIND = 'elbows 15 millimetres'
-# What homing asks for, and what the hand is told of it: the last on the screen, but the question of the arms goes first.
+# What homing asks for, and what the hand is told to do. The last request on the screen counts, but
+# the question about the arms goes first.
 ASKED = {'away from you': 'away from you', 'towards you': 'towards you', 'to the left': 'to the left',
          'et go of it': 'middle, let go'}
 QUESTION, OF_THE_ARMS = ('straight line', 'they do not', 'other hand'), 'one straight line'
 ON_THE_CIRCLE = 'go 35 0'  # of the practice shape, in millimetres from the middle
-LOOKS = 20  # at an unplugged board: the servo is tried again three times
-PACE = '0.1'  # of board and hand, beside a machine whose second takes five to ten
+LOOKS = 20  # at an unplugged board: the kiosk tries the servo again three times
+PACE = '0.1'  # of board and hand, on a machine whose second takes five to ten
 LONGEST_S = 900
 ASLEEP, AWAKE = 'PM: suspend entry', 'PM: suspend exit'
 # As logind sees it.
@@ -34,7 +35,8 @@ def run(table, bench):
     pantograph = board[0]
     try:
         _visits(table, kiosk, pantograph)
-        # A board whose plug is out keeps what it was told last, so the kiosk is stopped before, with the hand at the line.
+        # A board without its plug keeps its last torque, so the test stops the kiosk before, with
+        # the hand at the line.
         with table.check('board', 'the kiosk is stopped: the board has been told zero torque') as note:
             kiosk.machine.said(f'systemctl stop {UNIT}', 240)
             note(pantograph.pull())

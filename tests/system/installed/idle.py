@@ -12,7 +12,7 @@ def run(table, bench):
     machine = kiosk.machine
     with table.check('idle', f'lit after {MINUTES} minutes without a key') as note:
         began = _up_s(machine)
-        # Nothing is asked of it meanwhile.
+        # The test asks nothing of it meanwhile.
         time.sleep(60 * MINUTES + 10)
         machine.wait_screen(['Pictures to feel'])
         machine.said(f'{X} xset q | grep -q "Monitor is On" || ! {X} xset q | grep -q "DPMS is Enabled"')

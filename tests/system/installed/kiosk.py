@@ -6,7 +6,7 @@ from machine import Fault, wait_for
 
 UNIT = 'touchline-kiosk.service'
 SETTINGS = '/var/lib/touchline/kiosk.toml'
-X = 'DISPLAY=:0 XAUTHORITY=/run/touchline-display/cookie'  # for those who ask the X server
+X = 'DISPLAY=:0 XAUTHORITY=/run/touchline-display/cookie'  # for programs that ask the X server
 TRIES = 5
 FELT = 'Guide me round|Explore freely|Bring me back'  # some of what can be done with a picture
 TROUBLE = 'Something is wrong|ress Select to go on'
@@ -15,11 +15,12 @@ PIN = (1, 2, 3, 4)
 KEY_S = 1.5  # a key in an emulated machine
 MOST_LOOKS = 20  # at a screen that does not answer a key
 READY_S = 600  # an emulated machine beside other work; a real one needs seconds
-# Nobody presses a key for minutes while a slow machine reads: the visit must not end meanwhile.
+# Nobody presses a key for minutes while a slow machine reads, and the visit must not end meanwhile.
 FIRST_SETTINGS = '[time]\ninactivity_s = 1800\n'
 
 
-# Times of the unit for an emulated processor, fifty times slower than a real one. The unit is else as installed.
+# Times of the unit for an emulated processor, fifty times slower than a real one. Otherwise the
+# unit is as installed.
 SLOW = '[Service]\nTimeoutStartSec=600\nTimeoutStopSec=120\nWatchdogSec=60\n'
 
 
@@ -45,7 +46,7 @@ class Kiosk:
             active, process, _ = self.state()
             return active == 'active' and process not in (0, not_process)
         try:
-            wait_for(is_back, READY_S, 'the kiosk is ready', 2)  # asking costs an emulated machine what it boots with
+            wait_for(is_back, READY_S, 'the kiosk is ready', 2)  # each question takes time from the boot of an emulated machine
         except Fault as fault:
             raise Fault(f'{fault}: {self.machine.run(f"journalctl -u {UNIT} -n 8 -o cat")[1]}') from None
         return time.monotonic() - start

@@ -88,14 +88,15 @@ class Machine:
                            check=True)
         if counts_instructions:
             pace, ticks = ['tcg,thread=single,tb-size=512', '-icount', 'shift=0,sleep=on'], 1_000_000
-            preemption = 'full'  # Debian's kernel can; by itself it lets a tick wait for whole calls of other programs
+            preemption = 'full'  # Debian's kernel can; by default a tick waits for whole calls of other programs
         else:
             pace, ticks = ['tcg,thread=multi,tb-size=512', '-smp', str(own_cores())], ticks_kHz() or 0
             preemption = 'voluntary'
         words = ('root=/dev/vda ro console=ttyS0 loglevel=5 panic=-1 mitigations=off nokaslr tsc=reliable '
                  f'preempt={preemption} tsc_early_khz={ticks} no_timer_check random.trust_cpu=on systemd.show_status=1 '
                  'systemd.default_timeout_start_sec=600')
-        # cache: what the machine flushes is flushed; after a cut it has to be there, in qcow2's own tables too.
+        # cache: what the machine flushes is flushed; after a cut it must be there, in qcow2's own
+        # tables too.
         self.console = open(f'{folder}/console.txt', 'ab')
         self.process = subprocess.Popen(
             ['qemu-system-x86_64', '-M', 'q35,usb=off', '-accel', *pace, '-cpu', 'Westmere', '-m', '2G',
@@ -128,7 +129,7 @@ class Machine:
         self.commands += 1
         self.agent.send(f'{self.commands} {longest_s} {base64.b64encode(command.encode()).decode()}')
         while True:
-            # The time is the machine's; a busy one answers late.
+            # The time is the machine's, and a busy machine answers late.
             number, status, said = (self.agent.receive(2 * longest_s + 120) + ' ').split(' ', 2)
             if number == str(self.commands):
                 return int(status), base64.b64decode(said).decode(errors='replace').strip()
@@ -160,7 +161,7 @@ class Machine:
         answers so often at most."""
         self.ids += 1
         name = f'stick{self.ids}'
-        # All sticks are of one group, which has no limit but for a slow one: there is no other beside it.
+        # All sticks are in one group, which has no limit except for a slow one, which is alone.
         if self.ids == 1:
             self.ask('object-add', **{'qom-type': 'throttle-group', 'id': 'pace'})
         self.ask('qom-set', path='/objects/pace', property='limits', value={'iops-total': reads_a_s})

@@ -6,8 +6,9 @@ import time
 from kiosk import SETTINGS, UNIT
 from machine import Fault
 
-# Somebody saves settings over and over while the power goes: whole as an editor does (a new file in its place), and
-# in place as a careless one does; what that cuts short must not be what holds. The kiosk copies what it took over.
+# Somebody saves settings again and again while the power goes: atomically as an editor does (a new
+# file replaces the old), and in place as a careless one does; a half-written file must not take
+# effect. The kiosk copies what it took over.
 WRITER = r'''
 n=0
 while :; do
@@ -20,7 +21,7 @@ while :; do
 done
 '''
 WHOLE = re.compile(r'\[time\]\ninactivity_s = 1800(\n\[care\]\nnotice = "number [0-9]+")?')
-IN_BOOT = 5  # every so manieth cut is followed by another one while the machine starts
+IN_BOOT = 5  # one in this many cuts is followed by another while the machine starts
 
 
 def run(table, bench):

@@ -16,7 +16,7 @@ class Redirected:
         self.process = subprocess.Popen([program, path, *arguments], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                         bufsize=0)
         wait_for(lambda: os.path.exists(path), 30, f'{self.name} listens', 0.05)
-        # QEMU asks again each second after a plug was pulled at the device's end.
+        # QEMU asks again each second after a plug is pulled at the device's end.
         address = {'type': 'unix', 'data': {'path': path}}
         machine.ask('chardev-add', id=self.name, backend={
             'type': 'socket', 'data': {'addr': address, 'server': False, 'reconnect': 1}})
@@ -34,7 +34,7 @@ class Redirected:
     def pull(self):
         """The plug at the machine's end; the program ends and leaves its last line."""
         self.machine.ask('device_del', id=f'{self.name}-plug')
-        # The plug takes its line to the program along.
+        # The plug takes its line to the program with it.
         wait_for(lambda: self.name not in [line['label'] for line in self.machine.ask('query-chardev')], 60,
                  f'{self.name} is out', 0.1)
         try:

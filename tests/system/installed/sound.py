@@ -9,7 +9,7 @@ def run(table, bench):
     machine = kiosk.machine
     with table.check('sound', 'the first words of a visit are heard') as note:
         machine.wait(f'grep -q format {PLAYED}', 120, 'the kiosk has the sound card')
-        # What loops back is as it is played: neither rate nor format is changed on the way.
+        # The loopback keeps the sound as played: it changes neither rate nor format.
         machine.said(f'systemd-run -q --unit=ear bash -c "arecord -q -D hw:Loopback,1,0 -t raw {_as_played(machine)} '
                      f'>{HEARD}"')
         machine.wait(f'[[ -s {HEARD} ]]', 120, 'something plays: the recording begins')

@@ -6,7 +6,7 @@ import sticks
 from kiosk import FIRST_SETTINGS, UNIT
 from machine import Fault
 
-# `ntfs` by ntfs-3g is fuseblk to the kernel.
+# To the kernel, `ntfs` by ntfs-3g is fuseblk.
 KINDS = {'FAT': sticks.make_fat, 'ext4': sticks.make_ext4, 'NTFS': sticks.make_ntfs, 'exFAT': None}
 OURS = 'findmnt -rno FSTYPE,OPTIONS,TARGET | grep /media/'
 
@@ -113,8 +113,8 @@ def _plug(kiosk, file, reads_a_s=0):
 
 PHASES = {'mount': 'while it is mounted', 'list': 'while it is listed', 'read': 'while a file is read',
           'felt': 'while its picture is felt'}
-SLOW_READS_A_S = 20  # so that its list takes all the time that a list may, and a large file some seconds
-# Builtins alone: a program that looks is too slow in an emulated machine to meet one that is short.
+SLOW_READS_A_S = 20  # so that its list takes all the allowed time, and a large file some seconds
+# Uses only builtins: in an emulated machine a program that looks is too slow to catch a short one.
 IMPORT_IS_THERE = """while sleep 0.1; do
     for of in /proc/[0-9]*/comm; do
         read -r name 2>/dev/null <"$of" && [[ $name == touchline-impor ]] && exit 0

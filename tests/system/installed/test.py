@@ -13,7 +13,7 @@ from machine import Fault, Machine
 from table import Table, page, read
 
 GROUPS = ('boot', 'power', 'stick', 'sound', 'keys', 'board', 'camera', 'screen', 'idle', 'update')
-# Those in which the kiosk has to keep deadlines of milliseconds, or of seconds with much to do.
+# Groups in which the kiosk must keep deadlines of milliseconds, or of seconds with much to do.
 BY_INSTRUCTIONS = ('board', 'camera')
 FILL = os.path.join(os.path.dirname(os.path.abspath(__file__)), '../../bench/fill.awk')
 
@@ -100,9 +100,9 @@ def main():
             importlib.import_module(group).run(table, bench)
         except Fault as fault:
             table.fail(group, 'the rest of the group', fault)
-        except Exception as problem:  # whatever it is: a group that broke off has not passed
+        except Exception as problem:  # of any kind: a group that broke off has not passed
             table.fail(group, 'the rest of the group', repr(problem))
-        except KeyboardInterrupt:  # what is done counts, what is not is missing in the table
+        except KeyboardInterrupt:  # finished groups count, the others are missing in the table
             break
         finally:
             table.write(arguments.figures, arguments.checks)

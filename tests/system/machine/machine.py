@@ -15,7 +15,7 @@ from figures import Figures, quantile
 BUILD = f'{ROOT}/build/release'
 HOW = 'tests/system/machine/run '
 SECONDS = 10
-# What each changes (haptics/servo/real_time.h).
+# What each tier changes (haptics/servo/real_time.h).
 TIERS = {'A': 'full stiffness', 'B': 'full stiffness', 'C': 'half the stiffness and force, damped', 'D': 'no force, sound only'}
 
 
@@ -58,7 +58,7 @@ def baseline():
 def lateness(figures):
     jitter = f'{BUILD}/tests/sim/umockdev/jitter'
     ordinary = ['setpriv', '--reuid', '65534', '--regid', '65534', '--clear-groups']
-    copy = '/dev/shm/jitter'  # an ordinary user may not enter another one's folders
+    copy = '/dev/shm/jitter'  # an ordinary user may not enter another user's folders
     subprocess.run(['install', '-m', '755', jitter, copy], check=True)
     ways = {'servo, real-time priority': lambda: lateness_of([jitter, 'board', str(SECONDS)]),
             'servo, ordinary user': lambda: lateness_of([*ordinary, copy, 'board', str(SECONDS)]),

@@ -1,5 +1,5 @@
-// measure ticks | listing IMPORT: figures of this machine, a line of words and numbers each, for
-// tests/system/machine/run.
+// measure ticks | listing IMPORT: prints figures of this machine, one line of words and numbers
+// each, for tests/system/machine/run.
 #include "app/sticks/import.h"
 #include "haptics/device/simulated_pantograph.h"
 #include "haptics/servo/real_time.h"
@@ -21,11 +21,11 @@
 namespace touchline {
 namespace {
 
-constexpr int unarmed_ticks = 200;  // no force can act by the arm rule: first calls may fault
+constexpr int unarmed_ticks = 200;  // the arm rule allows no force yet: first calls may fault
 constexpr int ticks = 1'000'000;
 constexpr int between_scenes = 5000;
 
-/// Another scene and mode, from the kiosk's side.
+/// Sets another scene and mode, as the kiosk does.
 void change(ServoExchange& exchange, int k) {
     constexpr std::array modes{Mode::groove, Mode::wall, Mode::ridge, Mode::stay};
     exchange.feel(turned_wave_scene(1e-4 * k));
@@ -62,7 +62,7 @@ int measure_ticks() {
     return 0;
 }
 
-/// In memory: a disk takes minutes to make so many files.
+/// Works in memory: a disk takes minutes to make so many files.
 int measure_listing(const std::string& program) {
     constexpr std::size_t files = 100'000;
     const StickFolder many("/dev/shm");

@@ -1,6 +1,6 @@
-// Loaded before a program under valgrind 3.19 (LD_PRELOAD), which does not know pidfd_open and
-// pidfd_send_signal: a descriptor that becomes readable when a child dies, made of a pipe and a
-// thread that waits. Threads: any.
+// Provides pidfd_open and pidfd_send_signal to a program under valgrind 3.19, which does not know
+// them; loaded with LD_PRELOAD. The descriptor becomes readable when a child dies; it is made of a
+// pipe and a thread that waits. Threads: any.
 #include <csignal>
 #include <cstddef>
 #include <map>
@@ -16,7 +16,7 @@ namespace {
 
 struct Watched {
     std::mutex mutex;
-    std::map<int, pid_t> pids;  // by descriptor; one that is used again is another process's
+    std::map<int, pid_t> pids;  // by descriptor; a reused one belongs to another process
 };
 
 /// Never destroyed: threads may outlive main.

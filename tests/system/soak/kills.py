@@ -12,8 +12,9 @@ from world import Failed, Kiosk, Visitor, wait_for
 
 SEED = 11
 LONGEST_READY_S = 5.0
-LONG = 50  # kills; fewer judge no time: how busy the machine of a CI is decides nothing
-# Weights. A servo that dies thrice in a minute is started again ever later, by design (app/servo/restart.h).
+LONG = 50  # kills; fewer judge no time, because the load of a CI machine decides nothing
+# Weights. A servo that dies three times in a minute starts later and later, by design
+# (app/servo/restart.h).
 KINDS = {'kiosk': 8, 'servo': 5, 'voice': 3, 'decode': 1, 'import': 1}
 MOST_SERVO_KILLS = 2  # in one life of a kiosk
 NAMES = {'servo': 'soak_servo', 'voice': 'touchline-speak', 'decode': 'touchline-decod', 'import': 'touchline-impor'}
@@ -168,7 +169,7 @@ def run_beside(world, figures, count, busy):
     world.plug_stick(0)
     kills.ready()
     visitor = Visitor(kills.kiosk, SEED)
-    time.sleep(5.0)  # long enough for a visit to begin, and its files with it
+    time.sleep(5.0)  # long enough for a visit, and its files, to begin
     files = world.files()
     done = 0
     try:

@@ -1,5 +1,4 @@
-// The kiosk as `touchline --window` runs it, with the board of soak_board.h instead of one on the
-// USB.
+// The kiosk as `touchline --window` runs it, with the board of soak_board.h instead of one on USB.
 #include "app/cli/command_line.h"
 #include "app/main/core_dumps.h"
 #include "app/main/kiosk.h"
@@ -15,7 +14,7 @@
 namespace touchline {
 namespace {
 
-/// As with a real board: it is free only once whoever held it is dead, and plugged in.
+/// Like a real board, it is free only once its last holder is dead, and while it is plugged in.
 Result<void> zero_by_guard(SoakBoard& soak) {
     if (!soak.board.is_free()) return failure("the board is busy");
     if (soak.is_unplugged != 0) return failure("the board is not plugged in");

@@ -12,10 +12,10 @@ from world import Kiosk, Visitor, wait_for
 SEED = 13
 ACTIVE_S = 60.0  # keys and a moving hand, then nobody: the kiosk asks, waits and wipes
 REST_S = 75.0
-OVER_S = 66.0  # after so long without a key the visit is over (inactivity_s and answer_s of the world)
-WARM_UP = 0.2  # of all the time
+OVER_S = 66.0  # the visit ends after so long without a key (inactivity_s and answer_s of the world)
+WARM_UP = 0.2  # share of the whole time
 MOST_SLOPE_MB_PER_H = 1.0
-PUBLISHED_S = 1200.0  # shorter runs judge no slope, and leave chart and table as they are
+PUBLISHED_S = 1200.0  # shorter runs judge no slope, and leave chart and table unchanged
 TABLE_STEP_S = 300
 COLUMNS = ['time_s', 'phase', 'kiosk_rss_MB', 'kiosk_own_MB', 'servo_own_MB', 'tree_rss_MB', 'tree_own_MB',
            'kiosk_descriptors', 'servo_descriptors', 'kiosk_threads', 'tree_threads', 'children', 'log_bytes']
@@ -98,7 +98,8 @@ def report(figures, rows, span_s, end):
     quiet = over or warm
     for name, words in (('kiosk_descriptors', 'descriptors of the kiosk'), ('servo_descriptors', 'descriptors of the servo'),
                         ('kiosk_threads', 'threads of the kiosk')):
-        # The least: a visitor leaves one picture or another, and what of it is kept has descriptors of its own.
+        # The least counts: a visitor leaves one picture or another, and what is kept of it has its
+        # own descriptors.
         first, last = (min(column(part, name)) for part in halves(quiet))
         figures.keep(21, f'{words} between visits, least of the first half and of the second', f'{first}, {last}',
                      'equal' if over else 'reported', first == last if over else None, how)

@@ -13,7 +13,7 @@ SEED = 12
 FAST_S = 0.002
 MOST_GROWTH_MB = 1.0
 REST_S = 3.0
-LONG = 50  # sticks; fewer judge neither growth nor how many lists were read to their end
+LONG = 50  # sticks; fewer judge neither growth nor the number of lists read to their end
 STICKS_PER_BOARD = 10  # a board takes some ten seconds: its servo waits up to eight before it looks again
 
 
@@ -30,7 +30,7 @@ class BoardPlug(threading.Thread):
         while not self.ends.is_set():
             try:
                 self.cycle()
-            except Exception as problem:  # told by the run that waits for it
+            except Exception as problem:  # the run that waits for it reports this
                 self.problem = problem
                 return
 
@@ -107,7 +107,7 @@ def run(world, figures, count):
     wait_for('ready', kiosk.is_ready)
     feel_a_picture(kiosk)
     chance, seen, lists = random.Random(SEED), [], 0
-    stick_cycle(world, kiosk, 0, False, chance)  # the reader of sticks begins with the first one, and stays
+    stick_cycle(world, kiosk, 0, False, chance)  # the reader of sticks starts with the first one, and stays
     before = look_at_rest(kiosk)
     plug = BoardPlug(kiosk)
     for serial in range(1, count + 1):
@@ -130,7 +130,8 @@ def report(figures, count, before, seen, plug, end):
            'first and last tenth compared, at least five cycles')
     tenth = max(1, min(len(seen) // 3, max(5, len(seen) // 10)))
     first, last = seen[tenth:2 * tenth], seen[-tenth:]
-    # The least: a list that is being read has a thread and descriptors of its own for a moment.
+    # The least counts: a list that is being read has a thread and descriptors of its own for a
+    # moment.
     rss = [min(look[0] for look in part) for part in (first, last)]
     figures.keep(19, 'plug cycles: sticks, of them listed to the end, boards', f'{count}, {end["lists"]}, {plug.cycles}',
                  f'{count} sticks, a fourth listed', end['starts'] == 1 and end['status'] == 0 and

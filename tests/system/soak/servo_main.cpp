@@ -17,8 +17,8 @@
 namespace touchline {
 namespace {
 
-/// All over the drawing area, at the speed of a hand that looks for something; where it rests, it
-/// stays. Threads: the servo's.
+/// Goes all over the drawing area at the speed of a hand that looks for something; where it rests,
+/// it stays. Threads: the servo's.
 class RoundTrip final : public IntendedPath {
   public:
     void go_on(double time_s) { time_s_ += time_s; }
@@ -77,7 +77,7 @@ Result<OpenedDevice> open_device(SoakBoard& soak) {
     OpenedDevice opened;
     opened.device = std::make_unique<SoakDevice>(soak);
     opened.profile = default_profile();
-    opened.has_motors = false;  // how busy the machine is decides nothing
+    opened.has_motors = false;  // the load of the machine decides nothing
     opened.zero = {write_zero, &soak};
     return opened;
 }

@@ -1,6 +1,6 @@
-// The board of a kiosk that is soaked: that of the servo's tests, in a file that kiosk, servo and
-// the harness map, with a plug that can be pulled. The harness (soak/board.py) reads it by these
-// offsets.
+// The board of a kiosk under the soak test: that of the servo's tests, in a file that the kiosk,
+// the servo and the harness map, with a plug that can be pulled. The harness (soak/board.py) reads
+// it at these offsets.
 #pragma once
 
 #include "tests/app/servo/fake_board.h"
@@ -11,7 +11,7 @@
 namespace touchline {
 
 struct SoakBoard {
-    FakeBoard board;  // is_pressed: the hand goes round, else it rests
+    FakeBoard board;  // is_pressed: the hand goes round, otherwise it rests
     std::atomic<int> is_unplugged{0};
 };
 
@@ -20,7 +20,7 @@ static_assert(offsetof(FakeBoard, reads) == 16);
 static_assert(offsetof(FakeBoard, is_torque_on) == 24);
 static_assert(offsetof(SoakBoard, is_unplugged) == 56 && sizeof(SoakBoard) == 64);
 
-/// The file's name, in the environment of the kiosk.
+/// The environment variable that gives the kiosk the file's name.
 inline constexpr const char* soak_board_variable = "TOUCHLINE_SOAK_BOARD";
 
 }  // namespace touchline

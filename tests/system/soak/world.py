@@ -14,7 +14,7 @@ import time
 import processes
 from board import Board
 
-LONGEST_WAIT_S = 120.0  # for what must come some time; only a kiosk that is broken reaches it
+LONGEST_WAIT_S = 120.0  # for what must come at some time; only a broken kiosk reaches it
 HARMLESS = 'b'  # error boxes of the live view: the first key after the window appears may be lost
 
 
@@ -220,7 +220,7 @@ class Kiosk:
             keys = (HARMLESS, HARMLESS, *keys)
         done = subprocess.run(['xdotool', 'key', '--window', self.window, '--delay', '150', *keys],
                               env=self.environment, capture_output=True, timeout=60, check=False)
-        if done.returncode != 0 or done.stderr:  # it died under a key that is down: the display would hold it for ever
+        if done.returncode != 0 or done.stderr:  # it died while a key is down: the display would hold it for ever
             subprocess.run(['xdotool', 'keyup', *keys], env=self.environment, capture_output=True, timeout=60, check=False)
 
     def children(self):
@@ -243,7 +243,7 @@ class Kiosk:
 class Visitor(threading.Thread):
     """Somebody who presses keys without end, never those of the staff that stop the kiosk."""
 
-    # Weights: forwards rather than back, or no picture is ever felt.
+    # Weights: forwards more than back, or no picture would ever be felt.
     keys = (['Return'] * 8 + ['Down'] * 6 + ['Up'] * 2 + ['Right'] * 2 + ['Left'] * 2 +
             ['h', 'plus', 'minus', 'a', 'z', 'comma', 'period', 'F15', 'F16'])
 

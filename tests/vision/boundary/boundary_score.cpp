@@ -39,7 +39,7 @@ bool may_go(const Neighbours& n, bool is_first_pass) {
     return runs == 1 && fewest >= 2 && fewest <= 3 && !is_other_side;
 }
 
-/// Removes what a pass may remove, all at once; whether there was anything.
+/// Removes at once everything that a pass may remove. Returns whether there was anything.
 bool thin_once(cv::Mat1b& map, std::vector<cv::Point>& left, bool is_first_pass) {
     std::vector<cv::Point> going;
     std::vector<cv::Point> staying;
@@ -84,8 +84,8 @@ auto& at(T& values, int i) {
     return values[static_cast<std::size_t>(i)];
 }
 
-/// Matching of the greatest size between pixels within reach of each other (Hopcroft, Karp 1973),
-/// begun by taking the nearest first.
+/// The largest matching between pixels within reach of each other (Hopcroft, Karp 1973), which
+/// first takes the nearest.
 class Matching {
   public:
     Matching(const std::vector<cv::Point>& edges, const cv::Mat1b& truth,
@@ -99,7 +99,7 @@ class Matching {
         mate_of_truth_.assign(static_cast<std::size_t>(count), kNone);
     }
 
-    /// For each edge pixel its partner, or kNone.
+    /// Returns each edge pixel's partner, or kNone.
     [[nodiscard]] const std::vector<int>& run() {
         take_nearest();
         while (layer()) {
@@ -138,7 +138,7 @@ class Matching {
         }
     }
 
-    /// Breadth first from the edges without a partner; false where no free truth can be reached.
+    /// Searches breadth first from the edges without a partner; false if no free truth is in reach.
     bool layer() {
         level_.assign(edges_.size(), kNone);
         std::vector<int> queue;
@@ -167,7 +167,8 @@ class Matching {
         return last != std::numeric_limits<int>::max();
     }
 
-    /// Depth first along rising levels to a free truth; each edge looks at each neighbour once.
+    /// Searches depth first along rising levels for a free truth; each edge looks at each neighbour
+    /// once.
     bool augment(int edge) {
         for (std::size_t& k = at(next_, edge); k < reach_.size();) {
             const int truth = neighbour(edge, k++);

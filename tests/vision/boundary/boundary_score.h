@@ -18,19 +18,19 @@ struct BoundaryCounts {
 
     [[nodiscard]] double precision() const;
     [[nodiscard]] double recall() const;
-    [[nodiscard]] double f() const;  // harmonic mean; 0 where nothing was found
+    [[nodiscard]] double f() const;  // harmonic mean; 0 if nothing was found
     BoundaryCounts& operator+=(const BoundaryCounts& more);
 };
 
-/// One picture: the pixels of `strength` (8-bit) that are at least `least` (1..255), thinned,
-/// matched one to one with each annotator's pixels (non-zero) within 0.0075 of the diagonal: as
-/// many pairs as possible. All maps have one size. O(edges x pixels in reach), a few times.
+/// Counts one picture. Thins the pixels of `strength` (8-bit) that are at least `least` (1..255),
+/// and matches as many of them as possible one to one with each annotator's pixels (non-zero)
+/// within 0.0075 of the diagonal. All maps have one size. O(edges x pixels in reach), a few times.
 [[nodiscard]] BoundaryCounts boundary_counts(const cv::Mat1b& strength, int least,
                                              const std::vector<cv::Mat1b>& annotators);
 
-/// Sums over pictures at each threshold of a sweep, and what is read from them.
+/// Sums over pictures at each threshold of a sweep, and the figures read from them.
 struct BoundarySweep {
-    static constexpr int kAutomatic = 128;  // of the strength map: what tracing keeps
+    static constexpr int kAutomatic = 128;  // of the strength map: tracing keeps this
     std::vector<int> least{72, 96, 112, kAutomatic, 144, 160};
     std::vector<BoundaryCounts> counts{least.size()};
 
@@ -39,8 +39,8 @@ struct BoundarySweep {
     [[nodiscard]] BoundaryCounts best() const;       // of the sweep, one threshold for all pictures
 };
 
-/// Lines of one pixel (255, else 0) from a binary map: Guo and Hall 1989, as in OpenCV's ximgproc.
-/// The outermost rows and columns stay as they are.
+/// Returns lines of one pixel (255, else 0) from a binary map: Guo and Hall 1989, as in OpenCV's
+/// ximgproc. Leaves the outermost rows and columns as they are.
 [[nodiscard]] cv::Mat1b thinned(const cv::Mat1b& map);
 
 }  // namespace touchline::testing

@@ -11,7 +11,7 @@
 namespace touchline::testing {
 namespace {
 
-constexpr double kReflected = 0.4;  // of another scene, as in a window: edges that are no boundary
+constexpr double kReflected = 0.4;  // of another scene, as in a window: edges, not boundaries
 constexpr double kNoise_levels = 4.0;
 
 }  // namespace
@@ -37,7 +37,7 @@ std::vector<Polyline> glyph(const std::string& character, const Font& font, cv::
         for (cv::Point2d& p : ring.points) {
             p = centre + scale * (p - middle);
         }
-        // A closed path comes back to its first point; as a ring it need not say so.
+        // A closed path comes back to its first point; a ring does not repeat it.
         if (cv::norm(ring.points.front() - ring.points.back()) < 1e-6) {
             ring.points.pop_back();
         }

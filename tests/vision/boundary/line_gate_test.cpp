@@ -11,7 +11,7 @@ namespace touchline::testing {
 namespace {
 
 constexpr int kSize_px = 300;
-constexpr int kSamples = 8;  // a pixel, each way
+constexpr int kSamples = 8;  // per pixel, each way
 
 struct Condition {
     std::string name;
@@ -19,7 +19,7 @@ struct Condition {
     bool has_perspective = false;
 };
 
-/// A page seen from the side: the truth is mapped point by point, so it stays exact.
+/// Shows a page from the side. Maps the truth point by point, so it stays exact.
 std::vector<Polyline> seen_askew(std::vector<Polyline> rings) {
     const std::vector<cv::Point2f> from{{0, 0}, {300, 0}, {300, 300}, {0, 300}};
     const std::vector<cv::Point2f> to{{22, 14}, {283, 31}, {271, 288}, {9, 262}};
@@ -33,7 +33,7 @@ std::vector<Polyline> seen_askew(std::vector<Polyline> rings) {
     return rings;
 }
 
-/// Drawn at eight times the size and averaged over each pixel.
+/// Draws at eight times the size and averages over each pixel.
 cv::Mat drawn(const std::vector<Polyline>& rings) {
     Canvas canvas({kSamples * kSize_px, kSamples * kSize_px}, {225, 225, 225});
     std::vector<Polyline> large;

@@ -27,7 +27,7 @@ double distance_to(const cv::Point2d& p, const Line& line) {
     return std::sqrt(best);
 }
 
-/// Distances of samples of `from` to the nearest of `to`.
+/// Returns the distances from samples of `from` to the nearest of `to`.
 std::vector<double> distances(const std::vector<Line>& from, const std::vector<Line>& to) {
     std::vector<double> all;
     for (const Line& line : from) {

@@ -1,4 +1,4 @@
-// Another light, noise, blur or JPEG must not change which lines there are.
+// Other light, noise, blur or JPEG must not change which lines a picture has.
 #include "tests/vision/boundary/boundary_score.h"
 #include "tests/vision/boundary/degraded.h"
 #include "tests/vision/boundary/glyphs.h"

@@ -20,7 +20,7 @@ cv::Mat reduced(const cv::Mat& picture, cv::Size size) {
     return out;
 }
 
-/// Every wanted size gives the picture itself, averaged down.
+/// Expects the picture itself, averaged down, at every wanted size.
 void expect_picture(const CameraFrame& frame, const cv::Mat& picture, double levels) {
     for (const cv::Size size : {full, cv::Size(500, 375), cv::Size(320, 240), cv::Size(161, 121)}) {
         const auto bgr = to_bgr(frame, size);
@@ -61,7 +61,7 @@ TEST(Conversion, BytesAfterThePictureDoNoHarm) {
     expect_picture(frame, testing::scene(full), 3.0);
 }
 
-/// Where a frame ends early, an error comes, at every place.
+/// A frame that ends early, at any place, is an error.
 TEST(Conversion, CutShortIsAnError) {
     for (const CameraFrame& whole :
          {testing::yuyv_frame(testing::scene(full)), testing::nv12_frame(testing::scene(full)),
@@ -78,7 +78,7 @@ TEST(Conversion, CutShortIsAnError) {
     }
 }
 
-/// A garbled JPEG may still be one; then it has the wanted size. It is an error more often.
+/// A garbled JPEG may still be a JPEG, and then has the wanted size; more often it is an error.
 TEST(Conversion, GarbledMjpegNeverCrashesAndIsMostlyAnError) {
     const CameraFrame whole = testing::mjpeg_frame(testing::scene(full));
     std::mt19937 random(7);

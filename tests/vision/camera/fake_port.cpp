@@ -23,7 +23,7 @@ struct LookNow {
     auto operator<=>(const LookNow&) const = default;
 };
 
-/// Drawn once for all tests.
+/// Draws each frame once for all tests.
 const CameraFrame& drawn(cv::Size size, const LookNow& look) {
     static std::map<std::pair<std::pair<int, int>, LookNow>, CameraFrame> known;
     CameraFrame& frame = known[{{size.width, size.height}, look}];

@@ -1,4 +1,4 @@
-// Cameras that a test makes up: what they can do, and how they misbehave.
+// Cameras made up by a test: what they can do, and how they misbehave.
 #pragma once
 
 #include "vision/camera/camera_port.h"
@@ -12,17 +12,17 @@ struct FakeCamera {
     std::string id;
     CameraAbilities abilities;
     bool is_plugged = true;
-    bool is_dead = false;     // gives no frames, and no error
-    bool is_garbled = false;  // frames that are no pictures
+    bool is_dead = false;     // gives neither frames nor errors
+    bool is_garbled = false;  // gives frames that are not pictures
     bool refuses_open = false;
     bool refuses_start = false;
-    bool is_still_dead = false;  // nothing but the second stream is dead
-    double sharpens_s = 0.0;     // after a start frames are blurred for so long
-    double brightens_s = 0.0;    // and dark
+    bool is_still_dead = false;  // only the second stream is dead
+    double sharpens_s = 0.0;     // frames are blurred for so long after a start
+    double brightens_s = 0.0;    // and dark for so long
     bool is_never_sharp = false;
-    int clipped_stills = 0;  // so many attempts are flooded with light
+    int clipped_stills = 0;  // so many attempts are overexposed
     bool tells_loops = false;
-    double focuses_s = 0.2;  // after focus_once; told only with tells_loops
+    double focuses_s = 0.2;  // after focus_once; reported only with tells_loops
 };
 
 /// A 10 Hz camera on the time that the test sets. Counts what no driver may do.
@@ -41,7 +41,7 @@ class FakePort : public CameraPort {
     std::vector<FakeCamera> cameras;
     double now_s = 0.0;
     std::vector<std::string> log;  // "open a", "start 640x480", "lock", ...
-    int misuses = 0;               // orders that do not fit
+    int misuses = 0;               // calls out of order
 
   private:
     [[nodiscard]] FakeCamera* find(const std::string& id);
@@ -58,10 +58,10 @@ class FakePort : public CameraPort {
     bool is_attempt_clipped_ = false;
 };
 
-/// As Debian's kernel and libcamera give it: one stream, neither focus nor reports.
+/// A camera as Debian's kernel and libcamera present it: one stream, neither focus nor reports.
 [[nodiscard]] FakeCamera usb_camera(const std::string& id);
 
-/// As a board with an image processor gives it: two streams, focus, reports.
+/// A camera as a board with an image processor presents it: two streams, focus, reports.
 [[nodiscard]] FakeCamera board_camera(const std::string& id);
 
 }  // namespace touchline::testing

@@ -11,7 +11,7 @@
 namespace touchline::testing {
 namespace {
 
-/// BT.601, 16 ... 235: what video is coded in.
+/// Converts to BT.601, 16 ... 235, the coding of video.
 std::array<std::uint8_t, 3> yuv_of(const cv::Vec3d& bgr) {
     const double y = 0.257 * bgr[2] + 0.504 * bgr[1] + 0.098 * bgr[0] + 16.0;
     const double u = -0.148 * bgr[2] - 0.291 * bgr[1] + 0.439 * bgr[0] + 128.0;

@@ -1,5 +1,5 @@
-// libcamera itself, on a machine that may have a camera or none: it starts, lists, and refuses what
-// is not there. With a camera it is run in tests/system/camera.
+// libcamera itself, on a machine with or without a camera: it starts, lists, and refuses cameras
+// that do not exist. tests/system/camera runs it with a camera.
 #include "vision/camera/libcamera_port.h"
 
 #include <filesystem>

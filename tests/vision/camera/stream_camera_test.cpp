@@ -1,4 +1,5 @@
-// Real code from the port on, on virtual time, with cameras that can little and behave badly.
+// The real code from the port on, on virtual time, with cameras that can do little and behave
+// badly.
 #include "vision/camera/stream_camera.h"
 
 #include "tests/vision/camera/fake_port.h"
@@ -40,7 +41,7 @@ class Rig {
         for (const double end_s = port->now_s + seconds; port->now_s < end_s;) (void)step();
     }
 
-    /// Until the still or the refusal; how long that took.
+    /// Waits for the still or the refusal. Returns how long that took.
     double take_still() {
         const double start_s = port->now_s;
         const std::size_t before = stills.size() + given_up;
@@ -156,7 +157,7 @@ TEST(StreamCameraTest, WithoutAReportOfTheLoopsSteadyLightIsEnough) {
 
 TEST(StreamCameraTest, SharpnessIsWaitedFor) {
     FakeCamera camera = testing::usb_camera("a");
-    camera.sharpens_s = 0.35;  // of every start: the first three frames of the still are blurred
+    camera.sharpens_s = 0.35;  // after every start: the first three frames of the still are blurred
     Rig rig({camera});
     rig.run(1.0);
     rig.take_still();
@@ -328,8 +329,8 @@ TEST(StreamCameraTest, ChoosingAnotherGivesTheStillUp) {
     EXPECT_TRUE(rig.stills.empty());
 }
 
-/// Whatever happens in whatever order: no misuse, every still that is asked for ends, and when all
-/// is well again the preview comes back.
+/// Mishaps of any kind in any order cause no misuse. Every requested still ends, and when all is
+/// well again the preview comes back.
 TEST(StreamCameraTest, AnyOrderOfMishaps) {
     constexpr double longest_still_s = 40.0;
     for (unsigned seed = 1; seed <= 60; ++seed) {

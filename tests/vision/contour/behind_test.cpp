@@ -1,4 +1,4 @@
-// What lies behind the lines of a drawing and is none: shadows, gradients, grids.
+// What lies behind the lines of a drawing and is not a line: shadows, gradients, grids.
 #include "tests/vision/pictures/canvas.h"
 #include "vision/contour/regions.h"
 #include "vision/contour/strokes.h"
@@ -21,7 +21,7 @@ const cv::Scalar kWhite(255, 255, 255);
 const cv::Scalar kDark(90, 40, 20);
 const cv::Scalar kPale(216, 216, 216);
 
-/// Those that are no specks to a hand, 4 mm long.
+/// Keeps the lines of at least 4 mm; shorter ones are specks to a hand.
 std::vector<Chain> flat_lines(const cv::Mat& bgr) {
     const LabPicture lab = to_lab(bgr);
     std::vector<Chain> lines = region_lines(lab, noise_of(lab), kWidest_px);
@@ -92,7 +92,7 @@ TEST(Behind, AGradientHasNoLinesInside) {
     }
 }
 
-/// A shape that is as white as the paper at one end is still whole.
+/// A shape that is as white as the paper at one end still stays whole.
 TEST(Behind, AShapeThatFadesIntoThePaperStaysWhole) {
     const cv::Rect shape(200, 150, 500, 350);
     cv::Mat picture(kSize, CV_8UC3, kWhite);
@@ -109,8 +109,8 @@ TEST(Behind, AShapeThatFadesIntoThePaperStaysWhole) {
     EXPECT_GT(left_side_px, 0.8 * shape.height);
 }
 
-/// White at both ends: what has a step is felt, what has none is not, and the ground stays whole,
-/// though most of the picture is the gradient.
+/// The shape is white at both ends. A side with a step is felt, one without is not, and the ground
+/// stays whole although the gradient fills most of the picture.
 TEST(Behind, WhereAShapeFadesAwayItHasNoLine) {
     const cv::Rect shape(100, 80, 700, 490);
     for (const double darkest : {0.0, 190.0}) {
@@ -136,7 +136,7 @@ TEST(Behind, WhereAShapeFadesAwayItHasNoLine) {
     }
 }
 
-/// What a frame leaves over of the paper is no stroke, however near to it something lies.
+/// The paper that a frame leaves over is not a stroke, however near to it something lies.
 TEST(Behind, AFrameIsFeltWhereItIs) {
     const cv::Rect2d frame(6, 6, 888, 638);
     for (const double top : {14.0, 120.0}) {
@@ -193,7 +193,7 @@ TEST(Behind, AGridThatIsAllThereIsIsFelt) {
     EXPECT_GE(flat_lines(canvas.picture()).size(), 12U);
 }
 
-/// A pale drawing beside a dark one is no grid: its lines are not evenly spaced.
+/// A pale drawing beside a dark one is not a grid: its lines are not evenly spaced.
 TEST(Behind, APaleDrawingIsFelt) {
     Canvas canvas(kSize, kWhite);
     canvas.fill({box({60, 60, 200, 200})}, kDark);

@@ -1,4 +1,4 @@
-// Closed shapes and holes, counted: as areas of flat colour, and as wide ink with an outline.
+// Counts closed shapes and holes: as areas of flat colour, and as wide ink with an outline.
 
 #include "tests/vision/pictures/canvas.h"
 #include "tests/vision/pictures/effects.h"
@@ -20,13 +20,13 @@ using testing::Polyline;
 
 constexpr double kAnyWidth_px = 0.01;  // everything is wider: outlines only
 
-/// Shapes and holes of a clean black and white picture, cut at this grey level.
+/// Counts the shapes and holes of a clean black and white picture, cut at this grey level.
 int rings_in(const cv::Mat& picture, int level = 128) {
     cv::Mat grey;
     cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
     cv::Mat label;
     const int shapes = cv::connectedComponents(grey < level, label, 8) - 1;
-    const int holes = cv::connectedComponents(grey >= level, label, 4) - 2;  // and the paper
+    const int holes = cv::connectedComponents(grey >= level, label, 4) - 2;  // minus ink and paper
     return shapes + holes;
 }
 
@@ -125,7 +125,7 @@ TEST(RegionLines, ThreeColoursMeetInOnePoint) {
     canvas.fill({{{{50, 150}, {250, 150}, {250, 250}, {50, 250}}, true}}, {200, 120, 30});
     const LabPicture lab = to_lab(canvas.picture());
     const std::vector<Chain> lines = region_lines(lab, noise_of(lab), kAnyWidth_px);
-    // The border between the two, and the outer ring or its two halves; ends on ends, bit for bit.
+    // The border between the two, and the outer ring or its two halves; ends meet ends bit for bit.
     std::vector<cv::Point2d> ends;
     for (const Chain& line : lines) {
         if (!line.is_closed) {

@@ -13,7 +13,7 @@ namespace {
 const cv::Size kWidePicture(400, 300);
 constexpr double kWidest_px = 12.0;
 
-/// A wave, and where it lies beside itself: `offset_px` to the right of its way.
+/// A wave and its parallels: `offset_px` to the right of its way.
 struct Wave {
     double height_px = 0.0;
     double length_px = 100.0;
@@ -26,7 +26,7 @@ struct Wave {
     }
 };
 
-/// One edge of a stripe along the wave; `is_light_right`: its lighter side is to the right.
+/// One edge of a stripe along the wave; `is_light_right`: its right side is the lighter one.
 Chain edge(const Wave& wave, double from, double to, double offset_px, bool is_light_right) {
     Chain chain;
     for (double x = from; x <= to; x += 0.7) {
@@ -82,7 +82,7 @@ RC_GTEST_PROP(DoubleEdges, BothEdgesOfAStripeBecomeItsMiddle, ()) {
     RC_ASSERT(std::abs(merged[0].width_px - width) < 0.3);
     RC_ASSERT(length_of(merged[0]) > 0.9 * length_of(left));
     for (const EdgePoint& p : merged[0].points) {
-        // Beyond the stripe the longer edge goes on by itself.
+        // Beyond the stripe the longer edge goes on alone.
         const double limit = p.at.x < shorter_from + 8.0 ? 0.5 * width + 0.6 : 0.6;
         RC_ASSERT(distance_to_wave(wave, p.at) < limit);
     }
@@ -91,12 +91,12 @@ RC_GTEST_PROP(DoubleEdges, BothEdgesOfAStripeBecomeItsMiddle, ()) {
 RC_GTEST_PROP(DoubleEdges, WhatIsNoStripeStaysAsItIs, ()) {
     const Wave wave{*rc::gen::inRange(0, 12) * 1.0, 150.0};
     const int kind = *rc::gen::inRange(0, 4);
-    const double width = kind == 0 ? 13.0 : 6.0;                  // 0: too wide
-    const bool is_step = kind == 1;                               // 1: two steps of one slope
+    const double width = kind == 0 ? 13.0 : 6.0;  // 0: too wide
+    const bool is_step = kind == 1;               // 1: two steps in the same direction
     const double until = kind == 2 ? 50.0 + 0.6 * 150.0 : 350.0;  // 2: beside 60 % of the shorter
     Chain left = edge(wave, 50.0, until, -0.5 * width, true);
     Chain right = edge(wave, kind == 2 ? 50.0 + 0.4 * 90.0 : 50.0, 350.0, 0.5 * width, is_step);
-    if (kind == 3) {  // light unknown, as from a model
+    if (kind == 3) {  // unknown light side, as from a model
         for (EdgePoint& p : left.points) p.to_light = {0.0F, 0.0F};
     }
     const std::vector<Chain> lines{left, right};

@@ -10,8 +10,8 @@
 namespace touchline {
 namespace {
 
-/// A step blurred to `sigma_px` along a line through `through` at `angle`, 100 grey levels high;
-/// the gradient of the Gaussian, in closed form.
+/// A step of 100 grey levels, blurred to `sigma_px`, along a line through `through` at `angle`: the
+/// gradient of the Gaussian, in closed form.
 GradientField step_field(cv::Size size, cv::Point2d through, double angle, double sigma_px) {
     GradientField field{cv::Mat1f(size), cv::Mat2f(size)};
     const cv::Point2d normal(std::cos(angle), std::sin(angle));
@@ -40,7 +40,7 @@ RC_GTEST_PROP(EdgeLines, AStraightEdgeIsOneLineWithinATwentiethOfAPixel, ()) {
     RC_ASSERT(length_of(lines[0]) > 40.0);
     for (const EdgePoint& p : lines[0].points) {
         const double d = (p.at - through).dot({std::cos(angle), std::sin(angle)});
-        const cv::Rect2d inside(2.0, 2.0, 56.0, 46.0);  // slopes are one-sided on the frame
+        const cv::Rect2d inside(2.0, 2.0, 56.0, 46.0);  // slopes are one-sided at the frame
         RC_ASSERT(std::abs(d) < (inside.contains(p.at) ? 0.05 : 0.3));
     }
 }

@@ -1,4 +1,4 @@
-// What is drawn beside areas and is too small for an area of its own.
+// Marks beside areas that are too small for an area of their own.
 #include "tests/vision/pictures/canvas.h"
 #include "vision/contour/regions.h"
 
@@ -16,7 +16,7 @@ using testing::Polyline;
 constexpr double kThickest_px = 30.0;  // 3 mm
 const cv::Scalar kInk(90, 40, 20);
 
-/// With a black square, which makes the picture one of areas.
+/// Has a black square, which makes the picture one of areas.
 struct Sheet {
     Canvas canvas{{900, 650}, cv::Scalar::all(255)};
 

@@ -14,7 +14,7 @@ constexpr float kStroke_px = 5.0F;
 constexpr int kTop = 20;
 constexpr int kBottom = 120;
 
-/// Up a column, over the tip, and down two columns to the right.
+/// Goes up a column, over the tip, and down two columns to the right.
 std::vector<EdgePoint> tip_at(int column) {
     std::vector<EdgePoint> points;
     for (int y = kBottom; y >= kTop; --y) points.push_back({cv::Point2d(column, y)});
@@ -23,7 +23,7 @@ std::vector<EdgePoint> tip_at(int column) {
     return points;
 }
 
-/// Ink as deep as one stroke, and in the rows about the tips as deep as that.
+/// Ink as deep as one stroke, and `tip_px` deep in the rows about the tips.
 cv::Mat1f ink(float tip_px) {
     cv::Mat1f depth(140, 140, kStroke_px);
     depth.rowRange(kTop - 5, kTop + 4).setTo(tip_px);

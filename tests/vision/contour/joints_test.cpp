@@ -1,4 +1,4 @@
-// Sharp corners, crossings and joints of strokes, drawn at random: as drawn they come out.
+// Sharp corners, crossings and joints of strokes, drawn at random, come out as drawn.
 // TOUCHLINE_EXHAUSTIVE=1 draws 20 000 (tests/README.md).
 #include "tests/vision/pictures/effects.h"
 #include "tests/vision/pictures/pen_figures.h"

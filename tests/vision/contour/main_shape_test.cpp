@@ -37,7 +37,7 @@ TEST(MainShape, FindsTheObjectOfMostScenes) {
         }
     }
     EXPECT_GE(right, kScenes * 9 / 10);
-    EXPECT_GE(right, found * 9 / 10);  // nothing is better than a wrong one
+    EXPECT_GE(right, found * 9 / 10);  // no shape is better than a wrong one
 }
 
 TEST(MainShape, ASpotChoosesTheObject) {
@@ -62,7 +62,7 @@ TEST(MainShape, NothingWhereNothingStandsOut) {
     EXPECT_FALSE(main_shape(cv::Mat(4, 4, CV_8UC3, cv::Scalar(90, 90, 90)), std::nullopt));
 }
 
-/// From red over green to blue, from top to bottom, as a file with a gamma of its own holds it.
+/// Goes from red over green to blue, from top to bottom, as a file with its own gamma holds it.
 cv::Mat3b hue_ramp(cv::Size size) {
     const auto level = [](double share) {
         return cv::saturate_cast<uchar>(255.0 * std::pow(std::clamp(share, 0.0, 1.0), 0.45));
@@ -77,7 +77,8 @@ cv::Mat3b hue_ramp(cv::Size size) {
 }
 
 TEST(MainShape, AThingOnePixelWideHasNoOutline) {
-    // The uppermost row is unlike all others: it is the object, and smoothing leaves nothing of it.
+    // The uppermost row differs from all others: it is the object, and smoothing leaves nothing of
+    // it.
     EXPECT_FALSE(main_shape(hue_ramp({32, 32}), std::nullopt));
 }
 

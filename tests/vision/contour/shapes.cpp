@@ -69,7 +69,7 @@ Shape placed(std::string name, std::vector<Ring> rings, cv::Point2d centre, doub
     return {std::move(name), std::move(rings)};
 }
 
-/// Covered samples of each pixel, by crossings of every sample row with the rings.
+/// Counts the covered samples of each pixel by the crossings of every sample row with the rings.
 cv::Mat1d coverage(const Shape& shape, cv::Size size) {
     cv::Mat1d covered(size, 0.0);
     for (int row = 0; row < size.height * kSamples; ++row) {

@@ -1,6 +1,6 @@
 // Shapes with known outlines, drawn as a camera would see them, and how far apart two sets of
-// outlines are. Everything in pixels of the picture, from the upper left corner of the upper left
-// pixel.
+// outlines are. All coordinates are in pixels of the picture, from the upper left corner of the
+// upper left pixel.
 #pragma once
 
 #include "vision/contour/photo_lines.h"
@@ -20,8 +20,8 @@ struct Shape {
     std::vector<Ring> rings;
 };
 
-/// Disc, square, five-pointed star and the letters A, L and R, about `size_px` large round the
-/// centre, turned by `angle_deg`.
+/// Returns a disc, a square, a five-pointed star and the letters A, L and R, about `size_px` large
+/// round the centre, turned by `angle_deg`.
 [[nodiscard]] std::vector<Shape> test_shapes(cv::Point2d centre, double size_px, double angle_deg);
 
 struct Look {
@@ -32,15 +32,15 @@ struct Look {
     int seed = 1;
 };
 
-/// 8 x 8 samples a pixel, area-averaged, then blur, then noise; 8-bit BGR.
+/// Takes 8 x 8 samples a pixel, averages over the area, blurs, then adds noise; 8-bit BGR.
 [[nodiscard]] cv::Mat drawn(const Shape& shape, cv::Size size, const Look& look);
 
-/// Lines in picture pixels, closed ones with their first point repeated.
+/// Returns the lines in picture pixels; closed ones repeat their first point.
 [[nodiscard]] std::vector<Ring> lines_in_pixels(const PhotoLines& found, cv::Size picture);
 
-/// Greatest distances between truth and outlines, both ways, by where on the shape they are.
+/// Greatest distances between truth and outlines, both ways, by place on the shape.
 struct Distances {
-    double smooth_px = 0.0;  // further than 3 px from every corner
+    double smooth_px = 0.0;  // farther than 3 px from every corner
     double corner_px = 0.0;  // within 3 px of a corner of at least 90 degrees
     double tip_px = 0.0;     // within 3 px of a sharper one
 };

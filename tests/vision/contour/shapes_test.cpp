@@ -21,7 +21,7 @@ constexpr double kTip_px = 3.0;
 const std::vector<Placement> kPlacements{
     {{300, 300}, 220.0, 0.0}, {{400, 300}, 200.0, 17.0}, {{420, 360}, 270.0, 31.0}};
 
-/// Every ring once and closed, nothing else, all of it within the limits.
+/// Expects every ring once and closed, nothing else, and all of it within the limits.
 void expect_traced(const Look& look, double allowance) {
     for (const Placement& place : kPlacements) {
         const cv::Point2d centre(place.picture.width / 2.0 + 0.3, place.picture.height / 2.0 - 0.2);

@@ -15,7 +15,7 @@ using testing::Polyline;
 
 constexpr double kUnits = 24.0;
 
-/// A pictogram on a picture: how large, how wide its strokes, how turned, how seen.
+/// How a pictogram lies on a picture: its size, its strokes' width, its turn, its look.
 struct Setting {
     double size_px = 120.0;
     double width_units = 1.5;
@@ -45,7 +45,7 @@ std::vector<Chain> traced(const cv::Mat& picture, double greatest_width_px) {
     return stroke_lines(lab, noise_of(lab), greatest_width_px);
 }
 
-/// In Cairo's pixels: its origin is the corner of the first pixel.
+/// Converts to Cairo's pixels, whose origin is the corner of the first pixel.
 std::vector<Polyline> polylines(const std::vector<Chain>& chains) {
     std::vector<Polyline> lines;
     for (const Chain& chain : chains) {
@@ -87,7 +87,7 @@ TEST(StrokeLines, MiddleLinesOfPictogramsWithinHalfAStroke) {
 }
 
 TEST(StrokeLines, TheBorderOfAHardEdgedShapeHasAStrength) {
-    // Its borders lie half-way between two pixels, and all of them are rounded to the paper's.
+    // Its borders lie half-way between two pixels and are all rounded to the paper's.
     cv::Mat3b picture(44, 44, cv::Vec3b::all(250));
     picture(cv::Rect(11, 11, 19, 19)) = cv::Vec3b::all(20);
     const std::vector<Chain> chains = traced(picture, 5.0);

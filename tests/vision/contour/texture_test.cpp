@@ -64,7 +64,7 @@ TEST(IsoRings, AHoleHasItsOwnRingTheOtherWayRound) {
     values(4, 4) = 0.0F;
     const std::vector<Chain> rings = iso_rings(values, 0.5F);
     ASSERT_EQ(rings.size(), 2U);
-    EXPECT_NEAR(area_within(rings[0]), 80.5, 1.0);  // 9 x 9 less the corners
+    EXPECT_NEAR(area_within(rings[0]), 80.5, 1.0);  // 9 x 9 minus the corners
     EXPECT_NEAR(area_within(rings[1]), -0.5, 0.1);
 }
 

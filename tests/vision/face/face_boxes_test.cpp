@@ -14,12 +14,12 @@ namespace {
 
 constexpr int kRows = 896;
 
-/// What the network answers where it finds nothing.
+/// The network's answer when it finds nothing.
 struct Answer {
     cv::Mat1f scores = cv::Mat1f(kRows, 1, -50.0F);
     cv::Mat1f places = cv::Mat1f(kRows, 16, 0.0F);
 
-    /// A box of 40 x 50 whose centre lies at (dx, dy) of the row's anchor, with eyes in it.
+    /// Adds a box of 40 x 50 with eyes, its centre (dx, dy) from the row's anchor.
     void add(int row, float score, float dx = 0.0F, float dy = 0.0F) {
         scores(row, 0) = score;
         const std::array<float, 8> values{dx, dy, 40, 50, dx - 10, dy - 8, dx + 10, dy - 8};
@@ -29,7 +29,7 @@ struct Answer {
     [[nodiscard]] std::vector<FaceBox> boxes() const { return face_boxes(scores, places); }
 };
 
-/// The anchors as a list, built as the network's authors describe them.
+/// Lists the anchors as the network's authors describe them.
 std::vector<cv::Point2d> all_anchors() {
     std::vector<cv::Point2d> anchors;
     for (const auto& [stride, at_each] : {std::pair(16, 2), std::pair(32, 6)}) {
@@ -70,7 +70,7 @@ TEST(FaceBoxes, WhatIsLessLikelyThanNotIsNone) {
 TEST(FaceBoxes, OfTwoOnOneFaceTheLikelierStaysAndOthersAreTheirOwn) {
     Answer answer;
     answer.add(200, 2.0F);
-    answer.add(201, 4.0F, 3.0F, 2.0F);  // of the same place
+    answer.add(201, 4.0F, 3.0F, 2.0F);  // at the same place
     answer.add(210, 1.0F);              // 80 px beside them
     const std::vector<FaceBox> boxes = answer.boxes();
     ASSERT_EQ(boxes.size(), 2U);

@@ -124,7 +124,7 @@ TEST(FaceLines, NoLineTurnsSharplyButInTheCornersOfEyesAndMouth) {
     }
 }
 
-/// Skin with eyes in it, or with lenses before them.
+/// Paints skin with eyes in it, or with lenses before them.
 cv::Mat3b painted(const MadeFace& face, bool has_glasses) {
     cv::Mat3b picture(480, 640, cv::Vec3b(120, 150, 190));
     for (const PartLine& part : face_lines(face.mesh())) {

@@ -13,10 +13,10 @@
 namespace touchline::testing {
 namespace {
 
-/// Lines lie as far apart as a finger tells; number and length are free.
+/// Lines are as far apart as a finger can tell; number and length are free.
 constexpr TouchRules kFaceRules{60, 1e9, 3.9, 3.2};
 
-/// The map has no outline of the person where `hair` is 0.
+/// The map has no outline of the person if `hair` is 0.
 FaceMap map_of(const MadeFace& face, double hair, const Area& area = {}) {
     const FaceMesh mesh = face.mesh();
     std::vector<PartLine> lines = face_lines(mesh);
@@ -25,7 +25,7 @@ FaceMap map_of(const MadeFace& face, double hair, const Area& area = {}) {
     return face_map(box_of(mesh), lines, area);
 }
 
-/// Finds the middle of a part's outlines, millimetres, y away from the user.
+/// Returns the middle of a part's outlines in millimetres, y away from the user.
 std::optional<Position> middle_of(const FaceMap& face, FacePart part) {
     Position sum;
     double points = 0.0;
@@ -42,7 +42,7 @@ std::size_t count(const FaceMap& face, FacePart part) {
     return static_cast<std::size_t>(std::ranges::count(face.parts, part));
 }
 
-/// The first outline of a part that the map has.
+/// Returns the map's first outline of a part.
 const Outline& outline_of(const FaceMap& face, FacePart part) {
     const auto at = std::ranges::find(face.parts, part) - face.parts.begin();
     return face.map.outlines[static_cast<std::size_t>(at)];
@@ -128,7 +128,7 @@ TEST(FaceMap, EveryPoseKeepsTheSpacingTheAreaAndTheOrder) {
         const auto left_eye = middle_of(face, FacePart::left_eye);
         const auto right_eye = middle_of(face, FacePart::right_eye);
         const auto mouth = middle_of(face, FacePart::mouth);
-        const bool is_profile = std::abs(made.turn_rad) > 1.2;  // where the eyes lie on each other
+        const bool is_profile = std::abs(made.turn_rad) > 1.2;  // the eyes overlap
         if (left_eye && right_eye && !is_profile) {
             EXPECT_LT(dot(right, *left_eye), dot(right, *right_eye));
             ++eyes;

@@ -68,7 +68,7 @@ TEST_F(FaceNetworks, AFaceIsOneOnlyInThePersonThatHasIt) {
     EXPECT_EQ(faces(picture, {{200.0, 100.0, 220.0, 380.0}, kAll[0]}).size(), 1U) << "once";
 }
 
-/// A large picture with a face of 120 times `scale` pixels in it.
+/// Returns a large picture with a face of 120 times `scale` pixels in it.
 cv::Mat3b with_small_head(double scale) {
     cv::Mat3b small;
     cv::resize(portrait_of({}), small, {}, scale, scale, cv::INTER_AREA);

@@ -17,7 +17,7 @@ constexpr double kTall = 1.35;  // the face's height over its width
 const std::vector<int> kUpperLip{78, 191, 80, 81, 82, 13, 312, 311, 310, 415, 308};
 const std::vector<int> kLowerLip{78, 95, 88, 178, 87, 14, 317, 402, 318, 324, 308};
 
-/// Half widths of the face; x to the right, y down, z towards the viewer.
+/// A place in half widths of the face; x to the right, y down, z towards the viewer.
 using Place = cv::Vec3d;
 
 Place on_skull(double x, double y, double out = 0.0) {

@@ -9,7 +9,7 @@
 
 namespace touchline::testing {
 
-/// How large the picture is that it lies in.
+/// The size of the picture with the face.
 inline const cv::Size kMadePicture(640, 480);
 
 struct MadeFace {
@@ -21,20 +21,20 @@ struct MadeFace {
     double mouth_open = 0.0;  // 0..1
     double eyes_open = 1.0;   // 0..1
     double skew = 0.0;        // x grows with y
-    double stretch = 1.0;     // of y
+    double stretch = 1.0;     // applied to y
 
     [[nodiscard]] FaceMesh mesh() const;
 
     [[nodiscard]] std::string words() const;
 };
 
-/// The mesh with its mouth wide open: lips on an ellipse, whose corners no angle shows.
+/// Returns the mesh with its mouth wide open: lips on an ellipse, where no angle shows the corners.
 [[nodiscard]] FaceMesh with_round_mouth(FaceMesh mesh);
 
-/// A portrait of it: hair, skin in soft light, eyes, brows, nose, lips.
+/// Returns a portrait of the face: hair, skin in soft light, eyes, brows, nose, lips.
 [[nodiscard]] cv::Mat3b portrait_of(const MadeFace& face);
 
-/// Head and shoulders behind such a face: the head this much larger than the face.
+/// Returns the head and shoulders behind such a face; the head is this much larger than the face.
 [[nodiscard]] PersonMask made_person(const MadeFace& face, double hair);
 
 }  // namespace touchline::testing

@@ -1,4 +1,4 @@
-// The network that ships, on pictures that are drawn here.
+// The shipped network on pictures that the tests draw.
 #include "vision/face/people.h"
 
 #include "app/decode/files.h"

@@ -10,7 +10,7 @@ namespace {
 
 const SpacingScale kScale{{116.0, 84.0}, 3.2, 0.25};
 
-/// An eye between two corners, with sides that are this far apart in its middle.
+/// An eye between two corners, with sides this far apart in the middle.
 Chain eye(double width_mm, double opening_mm) {
     constexpr int kParts = 40;
     Chain ring{{}, true};

@@ -1,4 +1,4 @@
-// A photograph made for the test: an animal with thin legs before a striped wall, in noise.
+// A photograph made for the test: an animal with thin legs before a striped wall, with noise.
 #include "vision/figure/figure_lines.h"
 
 #include "config/types/map_bytes.h"
@@ -42,7 +42,7 @@ cv::Mat photo_of(const cv::Mat1b& mask) {
     return picture;
 }
 
-/// As a network gives it: a little too large, and soft.
+/// Returns the mask as a network gives it: a little too large, and soft.
 cv::Mat1b loose(const cv::Mat1b& mask) {
     cv::Mat1b grown;
     cv::dilate(mask, grown, cv::Mat::ones(5, 5, CV_8U));
@@ -121,7 +121,7 @@ TEST(FigureLines, WhatLiesInItComesBeforeWhatLiesBehind) {
     EXPECT_LT(spot, stripe);
 }
 
-/// Its left half is out of the picture: there is no edge where the frame cuts it.
+/// The picture cuts off the left half of the thing: there is no edge along the frame.
 TEST(FigureLines, AThingThatTheFrameCutsIsOpenThere) {
     const cv::Rect right_half(250, 0, 330, 420);
     const cv::Mat1b mask = animal()(right_half).clone();

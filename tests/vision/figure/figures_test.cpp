@@ -6,7 +6,7 @@
 namespace touchline::testing {
 namespace {
 
-/// A likelihood of 0.97 within what is drawn and 0.02 without.
+/// A likelihood of 0.97 inside the drawn parts and 0.02 outside.
 class Likelihood {
   public:
     Likelihood() : map_(256, 256, 0.02F) {}
@@ -44,7 +44,7 @@ TEST(Figures, SeveralThingsComeTheLargestFirstAndSpecksAreNone) {
                               .disc({60, 60}, 30)
                               .disc({180, 150}, 50)
                               .disc({240, 20}, 4)         // too small to be a thing
-                              .disc({180, 150}, 3, 0.1F)  // a hole that is none
+                              .disc({180, 150}, 3, 0.1F)  // too small for a hole
                               .in({512, 512});
     ASSERT_EQ(found.boxes.size(), 2U);
     EXPECT_GT(found.boxes[0].area(), found.boxes[1].area());

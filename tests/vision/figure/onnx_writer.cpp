@@ -91,7 +91,7 @@ std::vector<std::byte> written(const OnnxGraph& graph) {
 
 OnnxGraph red_network() {
     OnnxGraph graph;
-    constexpr float kGain = 40.0F;  // (v - 128) / 256: a difference of 1/2 is as likely as not
+    constexpr float kGain = 40.0F;  // (v - 128) / 256: a difference of 1/2 is even odds
     graph.constants = {{"mix", {1, 3, 1, 1}, {kGain, -0.5F * kGain, -0.5F * kGain}},
                        {"least", {1}, {-0.25F * kGain}}};
     graph.inputs = {{"picture", {1, 3, 0, 0}}};

@@ -8,7 +8,7 @@
 
 namespace touchline::testing {
 
-/// What goes into or comes out of a graph; 0 is any size.
+/// An input or output of a graph; 0 means any size.
 struct OnnxValue {
     std::string name;
     std::vector<std::int64_t> shape;
@@ -24,7 +24,7 @@ struct OnnxNode {
     std::string operation;
     std::vector<std::string> inputs;
     std::string output;
-    std::vector<std::int64_t> kernel;  // of a Conv; its padding keeps the size. Empty: none
+    std::vector<std::int64_t> kernel;  // a Conv's, padded to keep the size. Empty: none
 };
 
 struct OnnxGraph {
@@ -36,7 +36,7 @@ struct OnnxGraph {
 
 [[nodiscard]] std::vector<std::byte> written(const OnnxGraph& graph);
 
-/// Takes what is red for the main thing: a network of the figure's kind without its weights.
+/// Takes red for the main thing: a network of the figure's kind without its weights.
 [[nodiscard]] OnnxGraph red_network();
 
 }  // namespace touchline::testing

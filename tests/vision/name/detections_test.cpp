@@ -11,7 +11,7 @@
 namespace touchline::testing {
 namespace {
 
-/// Nothing anywhere, all distances alike.
+/// Finds nothing anywhere; all distances are equal.
 GridAnswer empty_answer(int side) {
     return {side, cv::Mat1f(side * side, known_kinds, 0.0F),
             cv::Mat1f(side * side, 4 * distance_steps, 0.0F)};
@@ -27,7 +27,7 @@ GridAnswer random_answer(int side, unsigned seed) {
     return answer;
 }
 
-/// One thing at a cell whose sides are so many whole cells from its middle.
+/// Puts one thing at a cell; its sides are so many whole cells from its middle.
 void put(GridAnswer& answer, cv::Point cell, int kind, float likelihood, cv::Vec4i cells) {
     const int row = cell.y * answer.side + cell.x;
     answer.likelihoods(row, kind) = likelihood;
@@ -61,7 +61,7 @@ TEST(Detections, AThingIsWhereItsCellAndDistancesSay) {
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].kind, 16);
     EXPECT_NEAR(found[0].likelihood, 0.8, 1e-6);
-    // Its middle is at (208, 144) of the square; the picture lies in rows 104 to 311.
+    // Its middle is at (208, 144) of the square; the picture fills rows 104 to 311.
     EXPECT_NEAR(found[0].box.left, (208.0 - 64) / 416, 1e-9);
     EXPECT_NEAR(found[0].box.top, (144.0 - 32 - 104) / 208, 1e-9);
     EXPECT_NEAR(found[0].box.right, (208.0 + 96) / 416, 1e-9);
@@ -80,8 +80,8 @@ TEST(Detections, OneThingIsFoundOnce) {
     GridAnswer coarse = empty_answer(13);
     put(coarse, {6, 6}, 0, 0.6F, {3, 3, 3, 3});
     put(fine, {12, 12}, 0, 0.7F, {6, 6, 6, 6});   // the same person
-    put(fine, {13, 13}, 17, 0.5F, {6, 6, 6, 6});  // taken for a horse as well
-    put(fine, {2, 2}, 0, 0.4F, {1, 1, 1, 1});     // another
+    put(fine, {13, 13}, 17, 0.5F, {6, 6, 6, 6});  // also taken for a horse
+    put(fine, {2, 2}, 0, 0.4F, {1, 1, 1, 1});     // another person
     const auto found = detections_of(std::vector{fine, coarse}, letterbox_of({416, 416}));
     ASSERT_EQ(found.size(), 2U);
     EXPECT_NEAR(found[0].likelihood, 0.7, 1e-6);
@@ -95,8 +95,8 @@ TEST(Detections, ARiderIsBesideTheHorse) {
     EXPECT_EQ(detections_of(std::vector{answer}, letterbox_of({416, 416})).size(), 2U);
 }
 
-/// The same worked out once more: all cells, boxes from their sides' means in pixels of the square,
-/// and the likeliest taken again and again.
+/// Computes the same a second way: all cells, boxes from the means of their sides in pixels of the
+/// square, the likeliest first, again and again.
 std::vector<Detection> worked_out(const std::vector<GridAnswer>& answers, const cv::Rect& part) {
     std::vector<Detection> all;
     for (const GridAnswer& answer : answers) {

@@ -1,4 +1,4 @@
-// The network that ships, on pictures that are drawn here.
+// The shipped network on pictures that the tests draw.
 #include "vision/name/name_network.h"
 
 #include "app/decode/files.h"
@@ -23,7 +23,7 @@ NameNetwork& network() {
     return network;
 }
 
-/// Where it is in its picture of 600 x 400.
+/// The aeroplane's box in its picture of 600 x 400.
 const cv::Rect aeroplane_px(158, 125, 270, 172);
 
 cv::Mat3b aeroplane() {
@@ -50,7 +50,7 @@ TEST(NameNetwork, AnAeroplaneIsNamedWhereItIs) {
     const auto things = names_of(*found);
     ASSERT_EQ(things.size(), 1U);
     EXPECT_EQ(things[0].name, ThingName::aeroplane);
-    // What numpy made of the same picture and file, apart from all code here.
+    // numpy computed these from the same picture and file, without any code of this repository.
     EXPECT_NEAR(things[0].likelihood, 0.8093, 0.001);
     EXPECT_NEAR(things[0].box.left * 600, aeroplane_px.x, 15);
     EXPECT_NEAR(things[0].box.right * 600, aeroplane_px.br().x, 15);

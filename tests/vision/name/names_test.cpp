@@ -11,7 +11,7 @@
 namespace touchline::testing {
 namespace {
 
-/// What the network knows, in its order.
+/// The kinds that the network knows, in its order.
 const std::vector<std::string> coco{"person",        "bicycle",      "car",
                                     "motorcycle",    "airplane",     "bus",
                                     "train",         "truck",        "boat",
@@ -40,7 +40,7 @@ const std::vector<std::string> coco{"person",        "bicycle",      "car",
                                     "vase",          "scissors",     "teddy bear",
                                     "hair drier",    "toothbrush"};
 
-/// What we call otherwise.
+/// The kinds with another name here.
 const std::map<std::string, std::string> our_word{
     {"airplane", "aeroplane"}, {"couch", "sofa"}, {"dining table", "table"}, {"tv", "screen"}};
 
@@ -95,15 +95,15 @@ TEST(Names, BelowItsLimitAnAnimalIsAnAnimalAndAVehicleAVehicle) {
         }
         std::set<Ids> expected{{}, own};
         if (animals.contains(word)) expected.insert(Ids{"animal"});
-        // A car is one as soon as it is a vehicle.
+        // A car is named as soon as it is a vehicle.
         if (vehicles.contains(word) && word != "car") expected.insert(Ids{"vehicle"});
         EXPECT_EQ(tiers, expected) << word;
     }
 }
 
 TEST(Names, TigersAndRhinocerosesAreNoZebrasAndElephants) {
-    EXPECT_EQ(ids({found("zebra", 0.80)}), Ids{"animal"});     // of a tiger
-    EXPECT_EQ(ids({found("elephant", 0.78)}), Ids{"animal"});  // of a rhinoceros
+    EXPECT_EQ(ids({found("zebra", 0.80)}), Ids{"animal"});     // really a tiger
+    EXPECT_EQ(ids({found("elephant", 0.78)}), Ids{"animal"});  // really a rhinoceros
 }
 
 TEST(Names, BesideADogNothingIsAnAnimal) {

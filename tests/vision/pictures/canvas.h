@@ -1,4 +1,4 @@
-// Drawing test pictures with Cairo: what a vector program would make of them, anti-aliased.
+// Draws test pictures with Cairo, as a vector program would: anti-aliased.
 // Threads: one canvas, one thread.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace touchline::testing {
 
-/// Points in picture pixels as Cairo counts them: (0, 0) is the corner of the first pixel.
+/// Points in picture pixels, as Cairo counts them: (0, 0) is the corner of the first pixel.
 struct Polyline {
     std::vector<cv::Point2d> points;
     bool is_closed = false;
@@ -19,7 +19,7 @@ struct Polyline {
 enum class Join { round, mitre, bevel };
 enum class Cap { round, butt, square };
 
-/// As drawing programs have it; a mitre is drawn down to angles of 6 degrees.
+/// A pen as in drawing programs; draws mitres down to angles of 6 degrees.
 struct Pen {
     double width_px = 1.0;
     Join join = Join::round;
@@ -35,32 +35,32 @@ struct Font {
 
 class Canvas {
   public:
-    /// All paper. Colours are BGR, 0..255, as everywhere in OpenCV.
+    /// Begins with bare paper. Colours are BGR, 0..255, as everywhere in OpenCV.
     Canvas(cv::Size size, const cv::Scalar& paper);
     ~Canvas();
     Canvas(const Canvas&) = delete;
     Canvas& operator=(const Canvas&) = delete;
 
-    /// Filled by the even-odd rule, all together.
+    /// Fills all rings together by the even-odd rule.
     void fill(const std::vector<Polyline>& rings, const cv::Scalar& ink);
 
     void stroke(const std::vector<Polyline>& lines, const Pen& pen, const cv::Scalar& ink);
 
-    /// With round joins and caps.
+    /// Draws with round joins and caps.
     void stroke(const std::vector<Polyline>& lines, double width_px, const cv::Scalar& ink) {
         stroke(lines, Pen{width_px}, ink);
     }
 
-    /// Baseline starts at `at`.
+    /// Starts the baseline at `at`.
     void write(const std::string& text, cv::Point2d at, const Font& font, const cv::Scalar& ink);
 
-    /// The outline of one text, as Cairo flattens it, baseline at `at`.
+    /// Returns the outline of one text as Cairo flattens it, with the baseline at `at`.
     [[nodiscard]] std::vector<Polyline> outline_of(const std::string& text, cv::Point2d at,
                                                    const Font& font);
 
     [[nodiscard]] double width_of(const std::string& text, const Font& font);
 
-    /// 8-bit BGR.
+    /// Returns 8-bit BGR.
     [[nodiscard]] cv::Mat picture() const;
 
   private:
@@ -73,11 +73,12 @@ class Canvas {
     cairo_t* pen_;
 };
 
-/// Part of an ellipse, degrees from the x axis towards y; closed when it goes all the way round.
+/// Returns a part of an ellipse, in degrees from the x axis towards y; closed if it goes all the
+/// way round.
 [[nodiscard]] Polyline arc(cv::Point2d centre, cv::Size2d radii, double from_deg = 0.0,
                            double to_deg = 360.0);
 
-/// `line` turned about the origin, then scaled, then moved.
+/// Returns `line` turned about the origin, then scaled, then moved.
 [[nodiscard]] Polyline placed(const Polyline& line, cv::Point2d at, double scale, double angle_deg);
 
 }  // namespace touchline::testing

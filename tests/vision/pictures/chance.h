@@ -1,4 +1,4 @@
-// Numbers by chance, the same for the same seed. Threads: one object, one thread.
+// Random numbers, the same for the same seed. Threads: one object, one thread.
 #pragma once
 
 #include <random>
@@ -13,7 +13,7 @@ class Chance {
         return std::uniform_real_distribution<double>(low, high)(engine_);
     }
 
-    /// 0 ... n - 1.
+    /// Returns 0 ... n - 1.
     int below(int n) { return std::uniform_int_distribution<int>(0, n - 1)(engine_); }
 
     bool coin() { return below(2) == 0; }

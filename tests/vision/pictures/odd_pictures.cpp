@@ -40,13 +40,13 @@ cv::Scalar colour_of(ByteReader& bytes) {
             static_cast<double>(bytes.byte())};
 }
 
-/// What files of cameras, screens and scanners raise light to.
+/// Returns the power to which files of cameras, screens and scanners raise light.
 double exponent_of(ByteReader& bytes) {
     constexpr std::array<double, 8> kExponents{0.35, 0.45, 0.45, 0.55, 0.7, 1.0, 1.8, 2.5};
     return kExponents[static_cast<std::size_t>(bytes.choice(8))];
 }
 
-/// BGR, 0 ... 255; hue in turns.
+/// Returns BGR, 0 ... 255; hue in turns.
 cv::Vec3b of_hue(double hue, double saturation, double value, double exponent = 1.0) {
     const auto channel = [&](double offset) {
         const double k = std::fmod(offset + 6.0 * (hue - std::floor(hue)), 6.0);
@@ -76,7 +76,7 @@ cv::Mat3b raw(cv::Size size, ByteReader& bytes) {
     });
 }
 
-/// How far along a direction of the bytes' choice, 0 ... about 1 over the picture.
+/// Measures the way along a direction that the bytes choose, 0 ... about 1 over the picture.
 auto way_of(cv::Size size, ByteReader& bytes) {
     constexpr std::array<std::array<double, 2>, 4> kWays{{{1, 0}, {0, 1}, {0.5, 0.5}, {0.5, -0.5}}};
     const auto [u, v] = kWays[static_cast<std::size_t>(bytes.choice(4))];
@@ -85,7 +85,7 @@ auto way_of(cv::Size size, ByteReader& bytes) {
 
 cv::Mat3b hue_ramp(cv::Size size, ByteReader& bytes) {
     const auto way = way_of(size, bytes);
-    constexpr std::array<double, 8> kSixths{1, 2, 3, 4, 5, 6, 12, 24};  // of a turn, as usual
+    constexpr std::array<double, 8> kSixths{1, 2, 3, 4, 5, 6, 12, 24};  // of a turn, as is common
     const double turns = kSixths[static_cast<std::size_t>(bytes.choice(8))] / 6.0;
     const double saturation = bytes.choice(4) == 0 ? 0.5 : 1.0;
     const bool is_shaded = bytes.choice(4) == 1;
@@ -110,7 +110,7 @@ cv::Mat3b stripes(cv::Size size, ByteReader& bytes) {
     });
 }
 
-/// A level, 0 ... 1, in those of blue, green and red whose bit is set.
+/// Returns a level, 0 ... 1, in those of blue, green and red whose bit is set.
 cv::Vec3b in_channels(int channels, double level) {
     cv::Vec3b pixel;
     for (int c = 0; c < 3; ++c) {
@@ -119,7 +119,7 @@ cv::Vec3b in_channels(int channels, double level) {
     return pixel;
 }
 
-/// Ramps of light as files with a gamma of their own hold them, one channel or all.
+/// Ramps of light as files with their own gamma hold them, in one channel or all.
 cv::Mat3b gamma_ramp(cv::Size size, ByteReader& bytes) {
     const double exponent = exponent_of(bytes);
     const auto way = way_of(size, bytes);
@@ -134,7 +134,7 @@ cv::Mat3b gamma_ramp(cv::Size size, ByteReader& bytes) {
     });
 }
 
-/// Bands, each a ramp of some of the channels, there or back: as a test card has them.
+/// Bands, each a ramp of some of the channels, there or back, as on a test card.
 cv::Mat3b ramps_in_bands(cv::Size size, ByteReader& bytes) {
     const int band_px = std::max(1, size.height / (1 + bytes.choice(8)));
     const bool is_turned = bytes.choice(4) == 0;  // every other band runs back
@@ -199,7 +199,7 @@ cv::Mat3b discs(cv::Size size, ByteReader& bytes) {
     return picture;
 }
 
-/// Rows of small blocks, as of letters.
+/// Rows of small blocks that look like letters.
 cv::Mat3b text_blocks(cv::Size size, ByteReader& bytes) {
     cv::Mat3b picture(size, cv::Vec3b::all(255));
     const int height_px = 2 + bytes.choice(10);
@@ -248,7 +248,7 @@ cv::Mat3b of_a_kind(int kind, cv::Size size, ByteReader& bytes) {
     return kMakers[static_cast<std::size_t>(kind) % kMakers.size()](size, bytes);
 }
 
-/// What is often done to a picture on its way to a file.
+/// Does what is often done to a picture on its way to a file.
 void change(cv::Mat3b& picture, ByteReader& bytes) {
     const int what = bytes.choice(8);
     const int amount = bytes.byte();
@@ -277,7 +277,7 @@ cv::Mat odd_picture(ByteReader& bytes) {
     const int kind = bytes.choice(kKinds);
     const int beside = bytes.choice(3 * kKinds);  // another in the right half, one time in three
     const bool is_grey = bytes.choice(4) == 0;
-    // What is done to it is read first: raw pixels take all bytes that are left.
+    // Reads the changes first: raw pixels take all remaining bytes.
     std::array<std::uint8_t, 2> ways{};
     for (std::uint8_t& way : ways) way = static_cast<std::uint8_t>(bytes.byte());
     cv::Mat3b picture = of_a_kind(kind, size, bytes);
@@ -300,7 +300,7 @@ std::vector<std::uint8_t> random_picture_bytes(std::uint64_t seed, int n, int be
     for (int i = 0; i < before + kSizeBytes + kAfter; ++i) {
         bytes.push_back(static_cast<std::uint8_t>(random.below(256)));
     }
-    // Sizes: the least of three, so that half of the sides are below 42 pixels.
+    // Each size is the least of three, so that half of the sides are below 42 pixels.
     for (int i = 1; i < kSizeBytes; ++i) {
         std::uint8_t& side = bytes[static_cast<std::size_t>(before + i)];
         for (int more = 0; more < 2; ++more) {

@@ -1,4 +1,4 @@
-// Small and odd pictures out of any bytes: what any stick may hold, and a fuzzer turns.
+// Small and odd pictures from any bytes: what any stick may hold, and a fuzzer mutates.
 // Threads: pure functions; a ByteReader belongs to one.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace touchline::testing {
 
-/// Bytes one by one; zeros when there are no more.
+/// Reads bytes one by one; zeros after the last.
 class ByteReader {
   public:
     explicit ByteReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
@@ -22,10 +22,10 @@ class ByteReader {
         return value;
     }
 
-    /// One of `count` things, 1 <= count <= 256.
+    /// Returns one of `count` things, 1 <= count <= 256.
     [[nodiscard]] int choice(int count) { return byte() % count; }
 
-    /// 0 ... 1.
+    /// Returns 0 ... 1.
     [[nodiscard]] double share() { return byte() / 255.0; }
 
     [[nodiscard]] std::span<const std::uint8_t> rest() const { return bytes_; }
@@ -34,7 +34,7 @@ class ByteReader {
     std::span<const std::uint8_t> bytes_;
 };
 
-/// Random numbers of one seed: the same on every machine.
+/// Random numbers from a seed: the same on every machine.
 class SplitMix {
   public:
     explicit SplitMix(std::uint64_t seed) : state_(seed) {}
@@ -47,7 +47,7 @@ class SplitMix {
         return z ^ (z >> 31U);
     }
 
-    /// 0 ... count - 1.
+    /// Returns 0 ... count - 1.
     [[nodiscard]] int below(int count) {
         return static_cast<int>(next() % static_cast<std::uint64_t>(count));
     }
@@ -56,16 +56,15 @@ class SplitMix {
     std::uint64_t state_;
 };
 
-/// An 8-bit picture, BGR or grey, of 1 to 200 pixels a side, or a strip: one pixel across, or 16 to
-/// 23 across and up to 2040 long. Its pixels are the bytes themselves or made by rules that the
-/// bytes choose: hue ramps, stripes, gradients encoded with a gamma, bands of
-/// ramps, checkers, noise, dots, discs
-/// and rings, blocks like text, pen strokes, squares of many colours, one colour; plain, inverted,
-/// blurred, in few colours, noisy, or two kinds side by side.
+/// Returns an 8-bit picture, BGR or grey, of 1 to 200 pixels a side, or a strip: one pixel across,
+/// or 16 to 23 across and up to 2040 long. Its pixels are the bytes themselves or follow rules that
+/// the bytes choose: hue ramps, stripes, gradients encoded with a gamma, bands of ramps, checkers,
+/// noise, dots, discs and rings, blocks like text, pen strokes, squares of many colours, one
+/// colour; plain, inverted, blurred, in few colours, noisy, or two kinds side by side.
 [[nodiscard]] cv::Mat odd_picture(ByteReader& bytes);
 
-/// Bytes for the n-th of many odd pictures, most of them small; begins with `before` bytes of
-/// chance.
+/// Returns the bytes for the n-th of many odd pictures, most of them small; begins with `before`
+/// random bytes.
 [[nodiscard]] std::vector<std::uint8_t> random_picture_bytes(std::uint64_t seed, int n, int before);
 
 }  // namespace touchline::testing

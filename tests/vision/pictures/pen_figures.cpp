@@ -27,7 +27,7 @@ double angle_deg(const cv::Point2d& a, const cv::Point2d& corner, const cv::Poin
     return std::abs(std::atan2(u.cross(v), u.dot(v))) * 180.0 / std::numbers::pi;
 }
 
-/// Sides long enough for their corners, corners not too sharp.
+/// Whether the sides are long enough for their corners and no corner is too sharp.
 bool is_drawable(const Polyline& ring, double least_side) {
     const std::size_t n = ring.points.size();
     for (std::size_t i = 0; i < n; ++i) {
@@ -39,7 +39,7 @@ bool is_drawable(const Polyline& ring, double least_side) {
     return true;
 }
 
-// Each about the origin, in a circle of radius 1; `thin` is the pen's width there.
+// All are about the origin, in a circle of radius 1; `thin` is the pen's width there.
 
 std::vector<Polyline> pen_polygon(Chance& chance, double thin) {
     for (;;) {
@@ -155,7 +155,7 @@ constexpr std::array<std::pair<const char*, PenMaker>, 9> kPenMakers{
      {"stroke on stroke", pen_stroke_on_stroke},
      {"letter", pen_letter}}};
 
-/// Neighbours of each point; equal points are one.
+/// The neighbours of each point; equal points count as one.
 using Graph = std::map<std::pair<double, double>, std::multiset<std::pair<double, double>>>;
 
 Graph graph_of(const std::vector<Polyline>& lines) {

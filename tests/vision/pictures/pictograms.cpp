@@ -30,7 +30,7 @@ Polyline star(int tips, double outer, double inner) {
     return made;
 }
 
-/// Arcs and points one after the other, closed.
+/// Joins arcs and points one after the other, and closes the line.
 Polyline joined(const std::vector<Polyline>& parts) {
     Polyline made{{}, true};
     for (const Polyline& part : parts) {

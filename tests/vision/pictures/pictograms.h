@@ -9,16 +9,17 @@
 
 namespace touchline::testing {
 
-/// On a square of 24 units. The first line is closed; filled, it is the shape.
+/// Lies on a square of 24 units. The first line is closed; filled, it is the shape.
 struct Pictogram {
     std::string name;
     std::vector<Polyline> lines;
 };
 
-/// Twenty-five of them: house, heart, star, bell, key, ...
+/// Returns twenty-five pictograms: house, heart, star, bell, key, ...
 [[nodiscard]] std::vector<Pictogram> pictograms();
 
-/// Greatest distance from any point of `from` to the nearest of `to`; infinite if `to` is empty.
+/// Returns the greatest distance from any point of `from` to the nearest of `to`; infinite if `to`
+/// is empty.
 [[nodiscard]] double farthest_px(const std::vector<Polyline>& from,
                                  const std::vector<Polyline>& to);
 

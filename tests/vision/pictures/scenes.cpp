@@ -49,7 +49,7 @@ cv::Mat1f cloud(cv::Size size, Dice& dice, int finest) {
     return cv::Mat((sum - mean[0]) / deviation[0]);
 }
 
-/// A surface: colour, slow change of light across it, texture.
+/// A surface: colour, a slow change of light across it, texture.
 cv::Mat3f surface(cv::Size size, Dice& dice, double texture_levels) {
     const cv::Scalar colour = dice.colour(40.0, 215.0);
     const cv::Mat1f texture = cloud(size, dice, 1 + dice.upto(4));

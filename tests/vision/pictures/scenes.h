@@ -6,26 +6,29 @@
 
 namespace touchline::testing {
 
-/// A photo-like background of cloudy texture, and the same with a textured object before it.
+/// A photo-like background of cloudy texture with a textured object before it.
 struct PhotoScene {
     cv::Mat picture;  // 8-bit BGR
     cv::Mat1b truth;  // 255 where the object is
 };
 
-/// One to three objects of other colours and textures, lit from a side, before a background that
-/// is smooth (a sky, a wall), textured, or both. The largest object is the truth.
+/// Returns one to three objects of other colours and textures, lit from a side, before a background
+/// that is smooth (a sky, a wall), textured, or both. The largest object is the truth.
 [[nodiscard]] PhotoScene photo_scene(int seed, cv::Size size);
 
-/// The silhouette (255 inside, any size) fitted into the middle of a photo-like background.
+/// Returns the silhouette (255 inside, any size), fitted into the middle of a photo-like
+/// background.
 [[nodiscard]] PhotoScene photo_of(const cv::Mat1b& silhouette, int seed, cv::Size size);
 
-/// Flat colours: logos, pie and bar charts, overlapping shapes, flags, pictograms, with a title.
+/// Returns flat colours: logos, pie and bar charts, overlapping shapes, flags, pictograms, with a
+/// title.
 [[nodiscard]] cv::Mat diagram(int seed, cv::Size size);
 
-/// Pen on paper: doodles, handwriting, maps of borders, technical drawings; some white on black.
+/// Returns pen on paper: doodles, handwriting, maps of borders, technical drawings; some white on
+/// black.
 [[nodiscard]] cv::Mat line_drawing(int seed, cv::Size size);
 
-/// A printed page: lines of words in one or two columns, a heading, sometimes a figure.
+/// Returns a printed page: lines of words in one or two columns, a heading, sometimes a figure.
 [[nodiscard]] cv::Mat text_page(int seed, cv::Size size);
 
 }  // namespace touchline::testing

@@ -10,7 +10,7 @@
 namespace touchline {
 namespace {
 
-/// A page with a shade comes out upright, evenly lit and at the aspect of its quad.
+/// A shaded page comes out upright, evenly lit and with the aspect of its quad.
 TEST(DocumentTest, APhotoBecomesThePage) {
     testing::Hardship hardship;
     hardship.shade = 0.4;

@@ -13,7 +13,7 @@ namespace {
 
 const cv::Size page_size(600, 848);
 
-/// What is dark in a page that is evenly lit, by the one threshold that fits all of it.
+/// Returns the dark pixels of an evenly lit page, by the one threshold that fits all of it.
 cv::Mat1b ink_of(const cv::Mat& bgr) {
     cv::Mat1b grey;
     cv::cvtColor(bgr, grey, cv::COLOR_BGR2GRAY);
@@ -22,7 +22,7 @@ cv::Mat1b ink_of(const cv::Mat& bgr) {
     return ink;
 }
 
-/// Share of the outline pixels of `ink` that have none of `other` within two pixels.
+/// Returns the share of the outline pixels of `ink` that have none of `other` within two pixels.
 double lost(const cv::Mat1b& ink, const cv::Mat1b& other) {
     const auto outline = [](const cv::Mat1b& mask) {
         cv::Mat inner;
@@ -64,7 +64,7 @@ TEST(EvenLight, NoOutlineIsLostInAShadeOfSixtyPerCent) {
         EXPECT_LE(lost(ink, truth), 0.01) << i;
         without = std::max(without, lost(ink_of(photo), truth));
     }
-    EXPECT_GT(without, 0.05);  // else the shade was no trouble to begin with
+    EXPECT_GT(without, 0.05);  // otherwise the shade did no harm to begin with
 }
 
 /// A filled shape keeps its area and its darkness, up to half of the page.
@@ -107,8 +107,7 @@ TEST(EvenLight, AnEvenPageStaysAsItIs) {
 }
 
 TEST(EvenLight, OfPaperWithoutLightNothingIsDividedOut) {
-    LabPicture lab(20, 20,
-                   cv::Vec3f(-100.0F, 0.0F, 0.0F));  // what a surface may be far from its places
+    LabPicture lab(20, 20, cv::Vec3f(-100.0F, 0.0F, 0.0F));  // surfaces may be so far off
     lab(3, 4) = {7.0F, 5.0F, -5.0F};
     const LabPicture lit = evenly_lit(lab, Paper(lab));
     EXPECT_EQ(cv::norm(lit, lab, cv::NORM_INF), 0.0);

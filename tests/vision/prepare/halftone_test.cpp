@@ -15,7 +15,7 @@ namespace {
 
 const cv::Size kSize(1000, 724);
 
-/// A dark square on pale paper, as dots of black ink of this pitch print it.
+/// A dark square on pale paper, printed as dots of black ink of this pitch.
 cv::Mat printed(double pitch_px, double turn_deg) {
     const double turn = turn_deg * std::numbers::pi / 180.0;
     const cv::Rect square(300, 160, 400, 400);

@@ -91,7 +91,7 @@ void add_things(cv::Mat& bgr, std::mt19937& random, int count, double brightest)
     }
 }
 
-/// A rectangle of this aspect, turned, tilted by moving its corners in perspective, and placed.
+/// Places a rectangle of this aspect, turned, and tilted by moving its corners in perspective.
 Quad placed_corners(std::mt19937& random, const Hardship& hardship, double aspect) {
     Dice dice(random);
     const double height_px = hardship.page_share * photo_size.height;
@@ -115,8 +115,8 @@ Quad placed_corners(std::mt19937& random, const Hardship& hardship, double aspec
     return ordered(corners);
 }
 
-/// Draws the page over the table, its edges shared among the pixels that they cross. ordered() may
-/// have begun with another corner: the content lies turned, which does not matter.
+/// Draws the page over the table and shares its edges among the pixels that they cross. ordered()
+/// may have begun with another corner, so the content may lie turned, which does not matter.
 void lay(const cv::Mat& page, const Quad& corners, cv::Mat& table) {
     const auto side = [&](std::size_t i) { return cv::norm(corners[i] - corners[(i + 1) % 4]); };
     const cv::Size size(static_cast<int>(std::max(side(0), side(2))),
@@ -147,7 +147,7 @@ void lay(const cv::Mat& page, const Quad& corners, cv::Mat& table) {
     cv::add(table, change, table, cv::noArray(), CV_8U);
 }
 
-/// The same in all channels.
+/// Adds the same noise to all channels.
 void add_noise(cv::Mat& bgr, std::mt19937& random, double levels) {
     cv::RNG rng(random());
     cv::Mat noise(bgr.size(), CV_32FC1);
@@ -194,7 +194,7 @@ cv::Mat page_content(std::mt19937& random, cv::Size size) {
                           dark(), thickness, cv::LINE_AA);
         }
     }
-    if (kind == 3)  // a frame drawn round all of it
+    if (kind == 3)  // a frame drawn round everything
         cv::rectangle(page,
                       {size.width / 16, size.height / 16, size.width * 7 / 8, size.height * 7 / 8},
                       dark(), static_cast<int>(4 * unit), cv::LINE_AA);

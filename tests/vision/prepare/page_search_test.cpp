@@ -13,7 +13,7 @@ using testing::Hardship;
 using testing::page_photo;
 using testing::PagePhoto;
 
-/// In 800 x 600: a five-hundredth of the picture's diagonal.
+/// A five-hundredth of the picture's diagonal at 800 x 600.
 constexpr double tolerance_px = 2.0;
 
 double worst_corner_px(const Quad& found, const Quad& truth) {
@@ -22,7 +22,8 @@ double worst_corner_px(const Quad& found, const Quad& truth) {
     return worst;
 }
 
-/// Seeds first ... first + count - 1: how many were found, and all of these where they are.
+/// Tries the seeds first ... first + count - 1. Returns how many pages were found, and expects
+/// these in their true places.
 int found_of(int count, unsigned first, const Hardship& hardship) {
     int found = 0;
     for (unsigned seed = first; seed < first + static_cast<unsigned>(count); ++seed) {
@@ -83,7 +84,7 @@ TEST(PageSearchTest, NoPageIsNeverTakenForOne) {
     }
 }
 
-/// Far enough outside to be cut off without doubt, and on one side only.
+/// Says where corners are far enough outside to be cut off without doubt, and on one side only.
 std::optional<CaptureTrouble> cut_off(const Quad& corners) {
     constexpr double sure_px = 12.0;
     double least_x = 0.0, most_x = 0.0, least_y = 0.0, most_y = 0.0;

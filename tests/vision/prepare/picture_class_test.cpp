@@ -32,9 +32,9 @@ cv::Mat made(PictureClass picture_class, int seed) {
     return {};
 }
 
-/// Cairo sets small letters between pixels since 1.17.4, which Debian 13 has, and 7 of the pages of
-/// text look like diagrams, where 3 did; on the same pictures the libraries of both Debians decide
-/// alike.
+/// Since 1.17.4, which Debian 13 has, Cairo sets small letters between pixels. 7 of the pages of
+/// text then look like diagrams, where 3 did before; on the same pictures the libraries of both
+/// Debians decide alike.
 int wanted(PictureClass picture_class) {
     const bool is_between_pixels = CAIRO_VERSION >= CAIRO_VERSION_ENCODE(1, 17, 4);
     const int percent = picture_class == PictureClass::text_page && is_between_pixels ? 95 : 96;

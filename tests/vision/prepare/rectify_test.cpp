@@ -15,8 +15,8 @@ namespace {
 
 const cv::Size photo_size(1600, 1200);
 
-/// A sheet of this aspect before a pinhole camera, leaned about x and y; its corners in the
-/// picture.
+/// The corners in the picture of a sheet of this aspect before a pinhole camera, leaned about x and
+/// y.
 Quad seen(double aspect, double lean_x_rad, double lean_y_rad, double focal_px) {
     const double cx = std::cos(lean_x_rad), sx = std::sin(lean_x_rad);
     const double cy = std::cos(lean_y_rad), sy = std::sin(lean_y_rad);
@@ -47,7 +47,7 @@ TEST(Rectify, AnotherLensIsTakenFromThePerspective) {
     for (const double focal_px : {0.7 * photo_size.width, 1.6 * photo_size.width}) {
         const double aspect = 1.0 / a4_aspect;
         EXPECT_NEAR(aspect_of(seen(aspect, 0.45, 0.35, focal_px), photo_size) / aspect, 1.0, 0.005);
-        // Too little lean to tell the lens: then it does not matter much.
+        // Too little lean to tell the lens, so the lens does not matter much.
         EXPECT_NEAR(aspect_of(seen(aspect, 0.12, 0.0, focal_px), photo_size) / aspect, 1.0, 0.01);
     }
 }
@@ -60,7 +60,7 @@ TEST(Rectify, SnapsToA4AndLetterWithinThreePerCent) {
     EXPECT_DOUBLE_EQ(snapped_aspect(1.04 * a4_aspect), 1.04 * a4_aspect);
 }
 
-/// A checked sheet, seen aslant, comes back as it was, at every size up to the bound.
+/// A checked sheet, seen aslant, comes back as it was, at every size up to the limit.
 TEST(Rectify, ThePageIsSeenFromAbove) {
     cv::Mat sheet(848, 600, CV_8UC3, cv::Scalar::all(235));
     for (int y = 40; y < 800; y += 80)

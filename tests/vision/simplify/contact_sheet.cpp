@@ -1,6 +1,7 @@
-// Pictures beside what a hand gets of them at each detail, in one sheet:
+// Shows pictures beside what a hand gets of them at each detail, in one sheet:
 //   contact_sheet [--area WxH] -o SHEET.png PICTURE...
-// One row a picture: the picture, then detail 1 ... 5, the drawing area as a frame, words below.
+// Each picture has a row: the picture, then detail 1 ... 5, the drawing area as a frame, words
+// below.
 #include "app/decode/files.h"
 #include "app/decode/picture.h"
 #include "app/decode/png_writer.h"

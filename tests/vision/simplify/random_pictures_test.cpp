@@ -1,6 +1,6 @@
-// Any picture, of one pixel or of many, becomes a sound map or one clear line: 2000 of one seed;
-// with TOUCHLINE_EXHAUSTIVE set, 200 000 of a hundred seeds, under the sanitizers 50 000; and those
-// of them that once did not.
+// Any picture, of one pixel or of many, becomes a sound map or one clear line. Tries 2000 of one
+// seed, or with TOUCHLINE_EXHAUSTIVE set 200 000 of a hundred seeds (under the sanitizers 50 000),
+// and those that once failed.
 #include "tests/vision/simplify/trace_task.h"
 
 #include <array>
@@ -21,7 +21,7 @@ constexpr int kSeeds = 100;
 
 class RandomPictures : public ::testing::TestWithParam<int> {};
 
-/// A tenth each, so that the parts run beside each other.
+/// Each part takes a tenth, so that the parts run in parallel.
 constexpr int kParts = 10;
 
 int seeds() {
@@ -61,7 +61,7 @@ TEST(RandomPictures, ThatOnceWereAtFaultAreNot) {
         Numbered{64, 1402},  // a foot on a ring that leads back along itself
         Numbered{97, 1323},  // the same
         Numbered{20, 1738},  // the same on an open line
-        Numbered{24, 1065},  // a ring that another in its way lets be longer than the least length
+        Numbered{24, 1065},  // made longer than the least length by another in its way
     };
     TraceTally tally;
     for (const Numbered& once : kOnce) {

@@ -9,7 +9,7 @@ namespace {
 
 Chain line(double length_mm, double strength, bool is_closed) {
     Chain chain{{}, is_closed};
-    const double turn = is_closed ? 0.5 : 1.0;  // there and back again
+    const double turn = is_closed ? 0.5 : 1.0;  // there and back
     for (int i = 0; i <= 20; ++i) {
         chain.points.push_back({{turn * length_mm * i / 20.0, 0.0}, strength});
     }

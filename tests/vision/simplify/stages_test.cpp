@@ -1,4 +1,4 @@
-// The stages of simplifying, one by one, on lines in millimetres.
+// The stages of simplifying, each on its own, on lines in millimetres.
 #include "tests/exact/orientation.h"
 #include "vision/simplify/breaks.h"
 #include "vision/simplify/detail_limits.h"
@@ -106,7 +106,7 @@ TEST(Breaks, FacingEndsAreJoinedAndAnArcBecomesARing) {
     const auto joined = with_breaks_closed({line({{10, 10}, {30, 10}}), line({{33, 10}, {60, 10}}),
                                             line({{10, 50}, {30, 50}}), line({{36, 50}, {60, 50}})},
                                            4.0);
-    EXPECT_EQ(joined.size(), 3U);  // 3 mm is closed, 6 mm is not
+    EXPECT_EQ(joined.size(), 3U);  // closes a gap of 3 mm, but not one of 6 mm
     Chain arc = ring({50, 40}, 20.0);
     arc.is_closed = false;
     arc.points.resize(arc.points.size() - 10);
@@ -144,7 +144,7 @@ TEST(Loops, ASmallLoopIsDropped) {
     EXPECT_EQ(parts[0].points.back().at, cv::Point2d(100, 38));
 }
 
-/// A line's points as a map has them: in whole nanometres.
+/// Returns a line's points as a map holds them: in whole nanometres.
 std::vector<Position> on_grid(const Chain& chain) {
     std::vector<Position> points;
     for (const EdgePoint& p : chain.points) {
@@ -153,7 +153,7 @@ std::vector<Position> on_grid(const Chain& chain) {
     return points;
 }
 
-/// How often an open line crosses itself.
+/// Counts how often an open line crosses itself.
 int crossings_on_grid(const Chain& chain) {
     const std::vector<Position> points = on_grid(chain);
     int count = 0;
@@ -166,7 +166,7 @@ int crossings_on_grid(const Chain& chain) {
     return count;
 }
 
-/// How often two open lines cross.
+/// Counts how often two open lines cross.
 int crossings_on_grid(const Chain& one, const Chain& other) {
     const std::vector<Position> points = on_grid(one);
     const std::vector<Position> others = on_grid(other);
@@ -197,7 +197,7 @@ TEST(Loops, ALineThatLeadsBackAlongItselfDoesNotCrossItselfInAMap) {
             EXPECT_EQ(crossings_on_grid(part), 0) << turn;
         }
     }
-    EXPECT_GT(crossings, 50);  // else nothing was asked
+    EXPECT_GT(crossings, 50);  // otherwise the test checked nothing
 }
 
 TEST(Spacing, ACrossingIsOpenedAndAMeetingIsAFoot) {
@@ -214,7 +214,7 @@ TEST(Spacing, ACrossingIsOpenedAndAMeetingIsAFoot) {
         spaced.add(std::move(*fit));
     }
     ASSERT_EQ(spaced.lines().size(), 3U);
-    EXPECT_EQ(crossings, 2);  // from either side
+    EXPECT_EQ(crossings, 2);  // one from either side
     std::vector<double> ends;
     for (std::size_t i : {1U, 2U}) {
         ends.push_back(spaced.lines()[i].points.front().at.y);
@@ -229,7 +229,7 @@ TEST(Spacing, ACrossingIsOpenedAndAMeetingIsAFoot) {
     EXPECT_TRUE(has_point(lines[0], cv::Point2d(80, 40)));
 }
 
-/// A line that leads back along itself, points of either way beside those of the other.
+/// A line that leads back along itself; the points of each way lie beside those of the other.
 Chain there_and_back(cv::Point2d from, cv::Point2d along) {
     Chain chain{{}, false};
     for (double s_mm = 0.0; s_mm < 9.0; s_mm += 0.23) {
@@ -259,7 +259,7 @@ TEST(Spacing, AFootOnALineThatLeadsBackAlongItselfCrossesNothingInAMap) {
         const std::vector<Chain> lines = spaced.lines();
         EXPECT_EQ(crossings_on_grid(lines[0], lines[1]), 0) << turn;
     }
-    EXPECT_GT(feet, 0);  // else nothing was asked
+    EXPECT_GT(feet, 0);  // otherwise the test checked nothing
     EXPECT_GT(short_of_it, 0);
 }
 
@@ -270,7 +270,7 @@ TEST(Spacing, ALineThatEndsWellBeforeAnotherKeepsItsDistance) {
     ASSERT_TRUE(fit);
     EXPECT_FALSE(fit->back);
     EXPECT_NEAR(fit->line.points.back().at.y, 32.0, 0.4);
-    EXPECT_FALSE(spaced.fit({line({{10, 44}, {100, 44}})}));  // beside it all the way
+    EXPECT_FALSE(spaced.fit({line({{10, 44}, {100, 44}})}));  // beside the other all the way
 }
 
 TEST(Spacing, TwoShapesBesideEachOtherStayTwoDownToWhatAFingerTellsApart) {
@@ -282,21 +282,21 @@ TEST(Spacing, TwoShapesBesideEachOtherStayTwoDownToWhatAFingerTellsApart) {
     const Chain left = ring({30, 40}, 20.0);
     const auto apart = second(left, ring({74, 40}, 20.0));
     ASSERT_TRUE(apart);
-    EXPECT_TRUE(apart->line.is_closed);  // 4 mm
+    EXPECT_TRUE(apart->line.is_closed);  // 4 mm apart
     const auto touching = second(left, ring({73, 40}, 20.0));
     ASSERT_TRUE(touching);
-    EXPECT_FALSE(touching->line.is_closed);  // 3 mm
+    EXPECT_FALSE(touching->line.is_closed);  // 3 mm apart
     EXPECT_TRUE(touching->front && touching->back);
-    EXPECT_FALSE(second(left, ring({30, 40}, 14.0)));  // within it
-    EXPECT_FALSE(second(left, ring({30, 40}, 26.0)));  // around it
+    EXPECT_FALSE(second(left, ring({30, 40}, 14.0)));  // within the first
+    EXPECT_FALSE(second(left, ring({30, 40}, 26.0)));  // around the first
     const auto line_beside = second(left, line({{54, 10}, {54, 70}}));
-    ASSERT_TRUE(line_beside);  // no shape: kept the gap
+    ASSERT_TRUE(line_beside);  // not a shape: kept the gap
     EXPECT_LT(length_of(line_beside->line), 60.0);
 }
 
 TEST(Silhouettes, TheSidesOfAThingAreOneRingWhateverLineLedIntoIt) {
     const std::vector<Chain> lines{line({{20, 20}, {90, 20}, {90, 70}, {55, 70}}),
-                                   line({{55, 70}, {20, 70}, {20, 40}, {55, 40}}),  // and into it
+                                   line({{55, 70}, {20, 70}, {20, 40}, {55, 40}}),  // into it
                                    line({{20, 40}, {20, 20}}), line({{55, 40}, {55, 70}})};
     const std::vector<Chain> joined = with_silhouettes_joined(lines, Outside(lines, size_mm));
     ASSERT_EQ(joined.size(), 3U);

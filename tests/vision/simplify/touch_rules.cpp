@@ -56,7 +56,8 @@ double distance_to(const std::vector<Position>& points, Position p) {
     return best;
 }
 
-/// How far an end of an outline is from the others, and from its own points beyond the gap's reach.
+/// Returns how far an end of an outline is from the others, and from its own points beyond the
+/// gap's reach.
 double end_to_lines(const TactileMap& map, std::size_t number, bool at_back, double apart_mm) {
     const std::vector<Position> own = in_mm(map.outlines[number]);
     const Position end = at_back ? own.back() : own.front();
@@ -72,7 +73,7 @@ double end_to_lines(const TactileMap& map, std::size_t number, bool at_back, dou
     return best;
 }
 
-/// Where an outline turns by more than 40 degrees within 2 mm.
+/// Returns where an outline turns by more than 40 degrees within 2 mm.
 std::vector<Place> corners_of(const Outline& outline, std::size_t number) {
     const std::vector<Place> places = places_along(in_mm(outline), number);
     const auto reach = static_cast<std::size_t>(std::lround(1.0 / kPitch_mm));
@@ -88,7 +89,8 @@ std::vector<Place> corners_of(const Outline& outline, std::size_t number) {
     return corners;
 }
 
-/// The way along an outline from a to b is straight but for one corner, within half a millimetre.
+/// Whether the way along an outline from a to b is straight but for one corner, to half a
+/// millimetre.
 bool are_sides_of_a_corner(const Place& a, const Place& b, const std::vector<Place>& corners,
                            double around_mm) {
     const auto [low, high] = std::minmax(a.along_mm, b.along_mm);
@@ -110,14 +112,14 @@ bool holds(const std::vector<Position>& ring, Position p) {
     return is_inside;
 }
 
-/// Two rings, neither within the other: a finger finds both 3.2 mm apart.
+/// Whether neither of two rings is within the other: a finger finds both 3.2 mm apart.
 bool are_beside(const Outline& a, const Outline& b) {
     const auto first_mm = [](const Outline& outline) { return 1000.0 * outline.points.front(); };
     return &a != &b && a.is_closed && b.is_closed && !holds(in_mm(a), first_mm(b)) &&
            !holds(in_mm(b), first_mm(a));
 }
 
-/// Where spacing does not count: ends on or just short of a line, and corners.
+/// Returns where spacing does not count: at ends on or just short of a line, and at corners.
 std::vector<Position> exempt(const TactileMap& map, double gap_mm) {
     std::vector<Position> centres;
     for (std::size_t i = 0; i < map.outlines.size(); ++i) {
@@ -192,11 +194,11 @@ struct Piece {
 };
 
 Nanometres on_grid(Position p) {
-    // W's origin may lie half a nanometre beside the grid of the viewBox: count in halves.
+    // W's origin may lie half a nanometre beside the grid of the viewBox, so count in halves.
     return {std::llround(2e9 * p.x), std::llround(2e9 * p.y)};
 }
 
-/// Which side of a b the point c lies: exact for coordinates of at most half a metre.
+/// Says on which side of a b the point c lies; exact for coordinates of at most half a metre.
 int side(const Nanometres& a, const Nanometres& b, const Nanometres& c) {
     const std::int64_t area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
     return area > 0 ? 1 : area < 0 ? -1 : 0;

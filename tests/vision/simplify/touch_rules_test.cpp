@@ -1,4 +1,4 @@
-// The rules for touch over many pictures, at every detail and two areas, judged by
+// The rules for touch over many pictures, at every detail and on two areas, judged by
 // touch_rules.h.
 #include "tests/vision/simplify/touch_rules.h"
 
@@ -14,7 +14,7 @@
 namespace touchline::testing {
 namespace {
 
-/// A ring of the truth in W.
+/// Returns a ring of the truth in W.
 std::vector<Position> in_w(const std::vector<cv::Point2d>& ring, const Trace& trace,
                            cv::Size picture) {
     std::vector<Position> points;
@@ -40,8 +40,8 @@ double least_apart_mm(const std::vector<Position>& a, const std::vector<Position
     return least;
 }
 
-/// Rings of the truth that a map of these rules has to show one by one: long enough, and clear of
-/// all others.
+/// Counts the rings of the truth that a map of these rules must show one by one: long enough, and
+/// clear of all others.
 int clear_rings(const std::vector<std::vector<Position>>& rings, const TouchRules& rules) {
     int count = 0;
     for (const auto& ring : rings) {
@@ -56,7 +56,7 @@ int clear_rings(const std::vector<std::vector<Position>>& rings, const TouchRule
     return count;
 }
 
-/// Rings that lie in no other.
+/// Returns the rings that lie in no other.
 std::vector<std::vector<Position>> outer_of(const std::vector<std::vector<Position>>& rings) {
     std::vector<std::vector<Position>> outer;
     for (const auto& ring : rings) {
@@ -94,7 +94,7 @@ void judge(const TruthPicture& picture, const Trace& trace, int detail, const Ar
     const auto outer = outer_of(rings);
     const auto& longest = *std::ranges::max_element(outer, {}, around_mm);
     if (around_mm(longest) > rules.stroke_mm && around_mm(longest) < rules.line_mm) {
-        // The rest: ends of parts too short to be strokes of their own.
+        // The rest are ends of parts too short to be strokes of their own.
         EXPECT_GT(covered_share(longest, trace.map, rules.gap_mm + 1.0), 0.75);
     }
     const int expected = clear_rings(detail <= 2 ? outer : rings, rules);
@@ -108,7 +108,7 @@ constexpr int kEverySo = 1;
 #endif
 constexpr int kKinds = 4;  // letters, pictograms, scenes, strokes: truth_picture() in turn
 
-/// Every `stride`-th picture of a kind; all of them where TOUCHLINE_EXHAUSTIVE is set.
+/// Judges every `stride`-th picture of a kind, or all of them if TOUCHLINE_EXHAUSTIVE is set.
 void judge_all(const Area& area, int kind, int stride) {
     // NOLINTNEXTLINE(concurrency-mt-unsafe)
     if (std::getenv("TOUCHLINE_EXHAUSTIVE") != nullptr) stride = 1;

@@ -16,7 +16,8 @@ namespace {
 
 using Faults = std::vector<std::string>;
 
-/// What a visitor hears: a sentence that says what to do, and nothing of a program's inside.
+/// Judges what a visitor hears: a sentence that says what to do, and nothing of the program's
+/// internals.
 void judge_line(const std::string& line, Faults& faults) {
     const auto is_control = [](char c) {
         return static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) == 0x7f;
@@ -80,8 +81,8 @@ void judge_touch(const TactileMap& map, int detail, Faults& faults) {
     // Both ends of a sliver may be led to one line. Each bridge begins a gap and two and a half
     // steps, of 0.2 to 0.5 mm, before it.
     rules.bridge_mm = 2.5 * std::clamp(rules.gap_mm / 16.0, 0.2, 0.5);
-    // Where no line is long enough by itself, the least length is halved until one is: the first,
-    // which nothing else is in the way of. Others may come to be longer beside it, since it changes
+    // If no line is long enough by itself, the tracer halves the least length until one is: the
+    // first, with nothing else in its way. Others beside it may then be longer, because it changes
     // where they are cut, and they are led to it.
     const double first_mm = length_of(map.outlines.front());
     constexpr int kMostHalvings = 9;
@@ -128,7 +129,7 @@ TraceTask task_of(std::span<const std::uint8_t> bytes) {
     task.details = {detail};
     if (detail == 0 || detail > kMostDetail) task.details = {1, 2, 3, 4, 5};
     task.options.area = kAreas[static_cast<std::size_t>(reader.choice(4))];
-    const int zoom = reader.byte();  // one time in four
+    const int zoom = reader.byte();  // magnifies one time in four
     const double right = reader.share() - 0.5;
     const double up = reader.share() - 0.5;
     if (zoom >= 192) {

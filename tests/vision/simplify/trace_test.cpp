@@ -26,7 +26,7 @@ cv::Mat noise(cv::Size size, int seed) {
     return picture;
 }
 
-/// The outlines of a trace in picture pixels, closed ones with their first point repeated.
+/// Returns the outlines of a trace in picture pixels; closed ones repeat their first point.
 std::vector<Ring> lines_in_pixels(const Trace& trace, cv::Size picture) {
     std::vector<Ring> lines;
     for (const Outline& outline : trace.map.outlines) {
@@ -61,7 +61,7 @@ TEST(Trace, AllWhiteHasNoOutline) {
                     "no outline found, because");
 }
 
-/// Whatever is in it: the reason is not its contrast.
+/// The reason is its shape, not its contrast, whatever the picture shows.
 TEST(Trace, ATooFlatOrTooNarrowPictureSaysSo) {
     for (const int thickness : {1, 2, 7}) {
         cv::Mat1b stripes(thickness, 1000);
@@ -98,7 +98,7 @@ TEST(Trace, UnusableArgumentsAreOneClearLine) {
                     "choose another part");
 }
 
-/// As OpenCV's own memory, but that there is none; or with another error of that number.
+/// Acts like OpenCV's own memory when it runs out, or fails with another error code.
 class Failing final : public cv::MatAllocator {
   public:
     explicit Failing(int code) : code_(code), before_(cv::Mat::getDefaultAllocator()) {
@@ -199,7 +199,7 @@ TEST(Trace, EveryPointReadsBackFromItsMillimetres) {
     }
 }
 
-/// Rings ever closer, to the pixels' own limit: junctions everywhere.
+/// Rings ever closer, up to the limit of the pixels: junctions everywhere.
 cv::Mat1b zone_plate(int side) {
     cv::Mat1b picture(side, side);
     for (int y = 0; y < side; ++y) {
@@ -211,7 +211,7 @@ cv::Mat1b zone_plate(int side) {
     return picture;
 }
 
-/// Walls between cells, at random open to the right or below: one ring comes near to itself
+/// Walls between cells, randomly open to the right or below: one ring that comes near itself
 /// everywhere.
 cv::Mat1b maze(int cells) {
     constexpr int kCell = 12;
@@ -293,7 +293,7 @@ TEST(Trace, AThingThatFillsThePictureIsNoFrame) {
     ASSERT_TRUE(finer);
     EXPECT_EQ(finer->report.simplified.frames_dropped, 0);
     ASSERT_GE(finer->map.outlines.size(), 2U);
-    const Position first = finer->map.outlines.front().points.front();  // of the circle
+    const Position first = finer->map.outlines.front().points.front();  // the circle's
     EXPECT_NEAR(std::hypot(first.x, first.y), 0.0126, 0.001);
 }
 
@@ -417,7 +417,7 @@ TEST(Trace, EdgeStrengthMarksTheLinesAtWorkingSize) {
     EXPECT_EQ(trace->report.found.edge_strength.at<uchar>(100, 150), 0);  // inside the star
 }
 
-/// How many of the outlines have this very point.
+/// Counts the outlines that have exactly this point.
 int outlines_with(const TactileMap& map, const Position& p) {
     return static_cast<int>(std::ranges::count_if(map.outlines, [&](const Outline& outline) {
         return std::ranges::find(outline.points, p) != outline.points.end();

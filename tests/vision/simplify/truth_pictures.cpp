@@ -14,11 +14,11 @@
 namespace touchline::testing {
 namespace {
 
-constexpr int kFiner = 4;  // samples a pixel, each way
+constexpr int kFiner = 4;  // samples per pixel, each way
 
 using Ring = std::vector<cv::Point2d>;
 
-/// Even-odd filled rings, area-averaged, over a picture.
+/// Fills rings by the even-odd rule, area-averaged, over a picture.
 void fill(cv::Mat3b& picture, const std::vector<Ring>& rings, cv::Scalar ink) {
     cv::Mat1b fine(kFiner * picture.rows, kFiner * picture.cols, uchar{0});
     std::vector<std::vector<cv::Point>> corners;
@@ -62,7 +62,7 @@ std::vector<Ring> glyph_rings(const std::string& font, const std::string& letter
     return rings;
 }
 
-/// Moves rings to the middle of a picture, at most `share` of it.
+/// Moves rings to the middle of a picture, where they fill at most `share` of it.
 void place(std::vector<Ring>& rings, cv::Size size, double share) {
     cv::Point2d low(1e9, 1e9);
     cv::Point2d high(-1e9, -1e9);

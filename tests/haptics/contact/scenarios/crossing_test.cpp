@@ -1,5 +1,5 @@
-// S08: a figure of eight whose strands cross at 10 degrees. No reference run: the proxy stays in
-// the sector that it came from.
+// S08: a figure of eight whose strands cross at 10 degrees. There is no reference run: the proxy
+// stays in the sector that it came from.
 #include "tests/haptics/contact/scenarios/runner.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 constexpr double lean_rad = 5.0 * pi / 180.0;  // of each strand to the x axis
 constexpr double strand_mm = 20.0;             // from the crossing to where a lobe begins
 
-/// Two straight strands through the origin, joined on both sides by arcs that go on smoothly.
+/// Two straight strands through the origin, joined smoothly by arcs on both sides.
 Polyline figure_of_eight() {
     constexpr int arc_edges = 24;
     const double centre_mm = strand_mm / std::cos(lean_rad);
@@ -34,14 +34,15 @@ Polyline figure_of_eight() {
     return line;
 }
 
-/// On which side of the two strands: the sector.
+/// Names the sector of p: its side of each strand.
 std::pair<bool, bool> sector(Position p) {
     const Position rising{std::cos(lean_rad), std::sin(lean_rad)};
     const Position falling{std::cos(lean_rad), -std::sin(lean_rad)};
     return {cross(rising, p) > 0.0, cross(falling, p) > 0.0};
 }
 
-/// Direction from the crossing into the sector; run backwards; both strands have a vertex there.
+/// The parameters: the direction from the crossing into the sector; whether the line runs
+/// backwards; whether both strands have a vertex there.
 class ScenarioS08 : public testing::TestWithParam<std::tuple<Position, bool, bool>> {};
 
 TEST_P(ScenarioS08, AtACrossingTheProxyStaysInItsSector) {
@@ -52,7 +53,7 @@ TEST_P(ScenarioS08, AtACrossingTheProxyStaysInItsSector) {
     // Both strands, of 40 mm, in 160 parts or in 161.
     options.spacing_m = 40 * mm / (is_at_vertex ? 160 : 161);
     const Scene scene = scene_of({line}, CommonSetUp{}.contact.radius_m, options);
-    // As S02: to 5 mm past the crossing, 2 mm to both sides for a second, a rest.
+    // Like S02: to 5 mm past the crossing, 2 mm to both sides for a second, a rest.
     const auto press = [towards = towards](double t) -> Intention {
         constexpr double omega = 2.0 * pi * 3.0;
         const bool is_wiggling = t > 0.5 && t < 1.5;

@@ -1,9 +1,9 @@
 // S01 to S06 without S03: flat walls, valleys, polygonised circles, thin bars and swipes.
 //
-// The reference values of all scenarios come from an independent two-dimensional simulation (god-
-// object, collide and slide) on the same plant: forces within 3 %, jumps within 10 %, counts exact.
-// That simulation stops 1 nm short of what it touches; the machine keeps the radius exactly and, as
-// a point, 10 pm.
+// The reference values of all scenarios come from an independent two-dimensional simulation
+// (god-object, collide and slide) on the same plant: forces within 3 %, jumps within 10 %, counts
+// exact. That simulation stops 1 nm short of what it touches; the machine keeps the radius exactly
+// and, as a point, 10 pm.
 #include "tests/haptics/contact/scenarios/runner.h"
 
 #include <algorithm>
@@ -92,7 +92,7 @@ TEST_P(ScenarioS04, PolygonisedCircleRipplesAsItsVerticesSay) {
         is_within(sum_N / static_cast<double>(felt.force.size() - 600), expected.mean_N, 0.03));
     EXPECT_TRUE(is_within(largest_jump(felt, 600).size_N, expected.jump_N, 0.10));
     EXPECT_LE(direction_deg, expected.direction_deg * 1.10);
-    EXPECT_GE(direction_deg, 0.9 * 180.0 / expected.vertices);  // half a turn is the least there is
+    EXPECT_GE(direction_deg, 0.9 * 180.0 / expected.vertices);  // half of a vertex's turn at least
     EXPECT_TRUE(is_within((farthest_m - nearest_m) / mm, expected.path_mm, 0.10));
     EXPECT_EQ(felt.watch.side_flips, 0);
     expect_sound(felt.watch);
@@ -116,7 +116,7 @@ TEST_P(ScenarioS05, ThinBarIsNeverPoppedThrough) {
         scene, through({{0, 0, 10}, {.5, 0, -8}, {1.0, 0, -8}, {1.5, 0, 10}, {1.7, 0, 10}}), 1.9);
     expect_forces(felt, 1.945, 0.0341);
     EXPECT_EQ(felt.watch.side_flips, 0);
-    // Within 2 % of what sampling can give away.
+    // Within 2 % of the most that sampling can give away.
     EXPECT_TRUE(is_within(felt.watch.work_J, 2.277e-5, 0.03));
     EXPECT_TRUE(is_within(felt.watch.allowed_J, 2.329e-5, 0.03));
     const auto pops = std::count_if(felt.proxy.begin(), felt.proxy.end(),

@@ -27,7 +27,7 @@ TEST(Scenario, S10OpenEndIsLeftAndComeBackToFromBelow) {
     EXPECT_TRUE(is_within(largest_force_N(felt), 2.876, 0.03));
     EXPECT_TRUE(is_within(largest_jump(felt, 0, 2).size_N, 1.396, 0.10));
     const Jump drop = largest_jump(felt);
-    EXPECT_TRUE(is_within(drop.size_N, norm(felt.force[drop.tick]), 0.01));  // all of it
+    EXPECT_TRUE(is_within(drop.size_N, norm(felt.force[drop.tick]), 0.01));  // the whole force
     expect_sound(felt.watch);
     EXPECT_TRUE(is_within(felt.watch.work_J, -4.728e-3, 0.05));
     bool was_below = false;
@@ -99,8 +99,8 @@ TEST(Scenario, S13GapsNarrowerThanTheProxyAreClosed) {
     }
 }
 
-/// The kiosk's proxy, as a visitor presses it: into the corner of a box whose sides stop short of
-/// it, and shaken there.
+/// Presses the kiosk's proxy as a visitor does: into the corner of a box whose sides stop short of
+/// it, and shakes it there.
 TEST(Scenario, S13SidesThatEndShortOfTheirCornerHoldTheKiosksProxy) {
     CommonSetUp set_up;
     set_up.contact.radius_m = proxy_radius_m;

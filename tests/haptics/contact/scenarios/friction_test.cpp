@@ -25,7 +25,7 @@ CommonSetUp with_friction(double friction, double radius_m = 0.0) {
 TEST(Friction, N1AHeldMassDoesNotCreepUnderVibration) {
     const Scene scene = scene_of({flat_line()});
     WatchedMachine contact(scene, with_friction(0.3), {0.0, 1e-6});
-    // 1 N presses, so that the line can hold 0.3 N; 0.15 N pulls along it, with 0.09 N at 10 Hz.
+    // 1 N presses, so the line can hold 0.3 N; 0.15 N pulls along it, plus 0.09 N at 10 Hz.
     constexpr double h_s = 1e-4;
     TipDynamics mass({0.1, 1.0, 0.0}, no_hand, {0.0, -1 * mm});
     Position after_1_s;
@@ -63,7 +63,7 @@ class FrictionN3 : public testing::TestWithParam<double> {};
 
 TEST_P(FrictionN3, OneCoefficientGivesNoStickSlip) {
     const double v = GetParam();
-    // The hand means to be so deep that its 300 N/m press with 1 N: 1 mm of wall and 3.3 of hand.
+    // The hand aims so deep that its 300 N/m press with 1 N: 1 mm of wall and 3.3 mm of hand.
     const double deep_m = 1 * mm + 1.0 / normal_hand.stiffness_N_per_m;
     const double down_m_per_s = (1 * mm + deep_m) / 0.5;
     const Trajectory pull = [=](double t) -> Intention {
@@ -139,8 +139,8 @@ Parts parts(Force force, Direction n) {
 }
 
 /// Drags a hand along a way behind a line, past the line's vertices. At every step the friction is
-/// inside the cone and changes by no more than the change of the normal force explains, and the
-/// hand's own motion.
+/// inside the cone and changes by no more than the change of the normal force and the hand's own
+/// motion explain.
 void expect_friction_survives(const Scene& scene, double radius_m, Position start,
                               const std::vector<Position>& way) {
     constexpr double mu = 0.3;
@@ -168,7 +168,7 @@ void expect_friction_survives(const Scene& scene, double radius_m, Position star
     expect_sound(contact.watch());
 }
 
-/// There and back, 50 um a step.
+/// Goes there and back, 50 um a step.
 std::vector<Position> there_and_back(const std::function<Position(double s_m)>& at,
                                      double length_m) {
     constexpr double step_m = 5e-5;

@@ -1,5 +1,5 @@
 // S07 and S09: the level of resolution changes while the hand presses. The levels are the curve's
-// own, wanted through the machine's ordinary argument.
+// own, set through the machine's ordinary argument.
 #include "tests/exact/orientation.h"
 #include "tests/haptics/contact/scenarios/runner.h"
 
@@ -23,10 +23,10 @@ std::vector<Segment> rendered(const CurveSet& curves, int piece, double level) {
     return segments;
 }
 
-// S07: two strands 0.4 mm apart, bent apart or alike. They are never let cross, whatever level is
-// wanted; of those bent alike the coarsest levels would.
+// S07: two strands 0.4 mm apart, bent apart or alike. They never cross, whatever level is wanted;
+// the coarsest levels of those bent alike would.
 
-/// The height of a strand that runs from left to right.
+/// Returns the height of a strand that runs from left to right.
 double height_at(const std::vector<Segment>& strand, double x) {
     for (const Segment& s : strand) {
         if (s.a.x <= x && x <= s.b.x) {
@@ -37,7 +37,7 @@ double height_at(const std::vector<Segment>& strand, double x) {
     return 0.0;
 }
 
-/// Some segment of the one meets some of the other.
+/// Whether some segment of one strand meets some segment of the other.
 bool do_cross(const CurveSet& curves, double level) {
     const auto one = rendered(curves, 0, level);
     const auto other = rendered(curves, 1, level);
@@ -49,7 +49,7 @@ bool do_cross(const CurveSet& curves, double level) {
 
 struct Strands {
     Polyline upper, lower;
-    double middle_per_mm;  // half way between: y = this x^2
+    double middle_per_mm;  // the curve half way between: y = this x^2
     bool does_coarsest_cross;
 };
 
@@ -57,7 +57,7 @@ Strands mirrored() {
     return {strand(1.0, 0.0, -20.0), strand(-1.0, 0.0, -20.0), 0.0, false};
 }
 
-/// Alike, the vertices of one beside the middles of the other's edges.
+/// Bent alike, the vertices of one beside the middles of the other's edges.
 Strands nested() {
     return {strand(1.0, 0.0, -15.0), strand(1.0, -0.4, -20.0), 0.02, true};
 }
@@ -102,10 +102,10 @@ TEST_P(ScenarioS07, BetweenTwoStrandsTheProxyStaysInItsCellWhateverLevelIsWanted
 
 INSTANTIATE_TEST_SUITE_P(Strands, ScenarioS07, testing::Values(mirrored(), nested()));
 
-// S09: a circle of 256 points and its level of 16, changed every 50 ms for a second while the
-// hand presses on it at mid-chord.
+// S09: a circle of 256 points and its level of 16 points. The level changes every 50 ms for a
+// second while the hand presses at mid-chord.
 
-/// The circle as rendered is seen whole from the origin.
+/// Whether p is outside the circle as rendered, all of which is visible from the origin.
 bool is_outside(const CurveSet& curves, double level, Position p) {
     const auto segments = rendered(curves, 0, level);
     return std::any_of(segments.begin(), segments.end(), [&](const Segment& s) {
@@ -128,7 +128,7 @@ TEST(Scenario, S09LevelsChangeUnderAPressedHand) {
     };
     const ScenarioRun felt = run(scene, press, 2.0, {}, wanted);
     int inside = 0;
-    double worst_jump_N = 0.0;  // beyond what the hand's own motion asks for
+    double worst_jump_N = 0.0;  // beyond what the hand's own motion explains
     const double K = CommonSetUp{}.contact.stiffness_N_per_m;
     for (std::size_t k = 1; k < felt.proxy.size(); ++k) {
         inside += is_outside(scene.curves, felt.level[k], felt.proxy[k]) ? 0 : 1;
@@ -138,14 +138,14 @@ TEST(Scenario, S09LevelsChangeUnderAPressedHand) {
     EXPECT_EQ(inside, 0);
     EXPECT_LE(worst_jump_N, 0.03);
     EXPECT_LE(felt.watch.switched_J, 1e-3);  // 1 mW over the second
-    // It did change under the hand, and is on its way back.
+    // The level did change under the hand, and is on its way back.
     const auto pressed = [&](std::size_t k) { return norm(felt.force[k]) > 0.5; };
     double coarsest_pressed = 0.0;
     for (std::size_t k = 0; k < felt.level.size(); ++k) {
         if (pressed(k)) coarsest_pressed = std::max(coarsest_pressed, felt.level[k]);
     }
     EXPECT_GE(coarsest_pressed, 1.0);
-    // As fast as the energy account pays for a wall that moves out against a hand at rest.
+    // A wall moves out against a hand at rest as fast as the energy account pays for.
     EXPECT_LT(felt.level.back(), coarse);
     expect_sound(felt.watch);
     RecordProperty("jump_beyond_motion_N", fmt::format("{:.4f}", worst_jump_N));

@@ -1,4 +1,4 @@
-// A simulated hand that presses a proxy against torture geometry, and what is measured of it.
+// A simulated hand that presses a proxy against torture geometry, and what is measured.
 #pragma once
 
 #include "tests/haptics/contact/scenarios/plant.h"
@@ -13,7 +13,7 @@ namespace touchline::scenarios {
 
 struct ScenarioRun {
     std::vector<Position> hand, proxy;  // per tick
-    std::vector<Force> force;           // of the contact, before the motors
+    std::vector<Force> force;           // the contact's, before the motors
     std::vector<double> level;          // rendered
     Watch watch;
 };
@@ -27,7 +27,7 @@ using WantedLevel = std::function<double(double t_s)>;
 
 [[nodiscard]] double largest_force_N(const ScenarioRun& run);
 
-/// Largest change of the force vector within `ticks` ticks, from tick `first` on, and the tick
+/// Largest change of the force vector within `ticks` ticks, from tick `first` on and the tick
 /// before it.
 struct Jump {
     double size_N = 0.0;
@@ -37,13 +37,13 @@ struct Jump {
 [[nodiscard]] Jump largest_jump(const ScenarioRun& run, std::size_t first = 0,
                                 std::size_t ticks = 1);
 
-/// Largest extent of the hand's motion along an axis in the last fifth of the run.
+/// Returns the largest extent of the hand's motion along an axis in the last fifth of the run.
 [[nodiscard]] double tail_peak_to_peak_m(const ScenarioRun& run);
 
-/// |value - reference| <= share |reference|.
+/// Checks |value - reference| <= share |reference|.
 [[nodiscard]] testing::AssertionResult is_within(double value, double reference, double share);
 
-/// Largest force within 3 %, largest jump within 10 %, and sound.
+/// Expects the largest force within 3 %, the largest jump within 10 %, and a sound run.
 void expect_forces(const ScenarioRun& run, double force_N, double jump_N);
 
 }  // namespace touchline::scenarios

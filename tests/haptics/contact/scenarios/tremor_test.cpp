@@ -13,10 +13,11 @@ namespace {
 
 struct Tremor {
     double frequency_Hz, amplitude_mm;
-    double force_N;  // largest, of the reference
+    double force_N;  // the reference's largest
 };
 
-/// 0.83 of the frequency along the line. It starts 1 mm off it and comes down within a second.
+/// Trembles with 0.83 of the frequency along the line. Starts 1 mm off it and comes down in a
+/// second.
 Trajectory trembling(const Tremor& tremor) {
     return [tremor](double t) -> Intention {
         const double omega = 2.0 * std::numbers::pi * tremor.frequency_Hz;
@@ -47,7 +48,7 @@ TEST_P(ScenarioS14, WithMotorsThatSaturateNeither) {
         CommonSetUp set_up;
         set_up.motors_N = motors_N;
         const ScenarioRun felt = run(scene_of({flat_line()}), trembling(GetParam()), 10.0, set_up);
-        // What was beyond the motors before is further beyond them now.
+        // The force exceeds the motors exactly when the reference does.
         EXPECT_EQ(largest_force_N(felt) > motors_N, GetParam().force_N > motors_N);
         EXPECT_EQ(std::count_if(felt.proxy.begin(), felt.proxy.end(),
                                 [](Position p) { return p.y < 0.0; }),

@@ -1,9 +1,9 @@
 // S03 and S03b: convex vertices, sharp and rounded by the proxy's radius.
 //
 // The reference simulation slides past a convex vertex by up to one tick's motion before it falls
-// to the next face, so it splits a hop into two ticks and its force direction is off by that
-// motion. Ours hops where theory says, at once. Where it matters the hop is therefore compared over
-// two ticks, and within one tick with theory.
+// to the next face. So it splits a hop into two ticks, and its force direction is off by that
+// motion. The machine hops where theory says, at once. Where it matters the tests therefore compare
+// the hop over two ticks, and within one tick with theory.
 #include "tests/haptics/contact/scenarios/runner.h"
 
 #include <cmath>
@@ -52,7 +52,7 @@ struct Rounding {
 };
 
 /// A face from (-60, 0) to the origin and one of the same length that turns away from it; interior
-/// 0: the first alone, its end the vertex.
+/// 0: the first alone, whose end is the vertex.
 Scene wedge(double interior_deg, double radius_m) {
     const double turn = pi - interior_deg * pi / 180.0;
     Polyline line{{{-60.0, 0.0}, {0.0, 0.0}}};
@@ -62,12 +62,12 @@ Scene wedge(double interior_deg, double radius_m) {
     return scene_of({line}, radius_m);
 }
 
-// The reference moves its proxy once a tick, along the tangent, so that on an arc it lags behind by
-// up to a tick and the force turns more slowly than the hand: at 90 degrees 1.386, 1.051, 0.547,
+// The reference moves its proxy once a tick, along the tangent, so on an arc it lags behind by up
+// to a tick and the force turns more slowly than the hand: at 90 degrees 1.386, 1.051, 0.547,
 // 0.228, 0.118, 0.080 and 0.046 N. With its moves repeated within a tick until they end it gives
-// the values below, to which ours are compared. They are what geometry asks for: at a vertex that
-// the hand passes at a distance of r - d the force turns by v T / (r - d) a tick, K v T / (r / d -
-// 1) in newtons, d being F / K. At 60 mm/s and 1.4 d this is 0.15 N, at 1.5 d 0.12 N.
+// the values below, which the tests use. Geometry asks for them: at a vertex that the hand passes
+// at a distance of r - d the force turns by v T / (r - d) a tick, K v T / (r / d - 1) in newtons,
+// where d = F / K. At 60 mm/s and 1.4 d this is 0.15 N, at 1.5 d 0.12 N.
 class ScenarioS03b : public testing::TestWithParam<Rounding> {};
 
 TEST_P(ScenarioS03b, ARadiusAboveTheIndentationTakesTheJumpAway) {

@@ -9,7 +9,7 @@
 namespace touchline::scenarios {
 namespace {
 
-/// About one segment a cell, where that is neither very many cells nor very large ones.
+/// Returns a cell size of about one segment, neither too small nor too large.
 double cell_m(const CurveSet& curves) {
     return std::clamp(curves.finest_spacing_m(), 1e-5, 2e-3);
 }

@@ -7,10 +7,10 @@ namespace {
 
 constexpr int ticks = 192;
 constexpr int ticks_at_a_place = 3;
-constexpr double new_mode = 0.02;  // chance in a tick
+constexpr double new_mode = 0.02;  // chance per tick
 
-/// Along the points of an outline, from any of them, forth or back; at an end it goes on at the
-/// other.
+/// Goes along the points of an outline, from any of them, forwards or back; at an end it goes on at
+/// the other.
 class Walk {
   public:
     Walk(const TactileMap& map, Chance& chance)
@@ -37,7 +37,7 @@ class Walk {
     std::vector<Position> points_;
     int at_;
     int step_;
-    double gone_m_ = 0.0;  // from there
+    double gone_m_ = 0.0;  // since point at_
 };
 
 std::int64_t rounded(double value, Column column) {

@@ -11,12 +11,12 @@ class Chance {
   public:
     explicit Chance(unsigned seed) : random_(seed) {}
 
-    /// 0 ... 1.
+    /// Returns 0 ... 1.
     double unit() { return std::uniform_real_distribution<double>(0.0, 1.0)(random_); }
 
     double about(double size) { return size * (2.0 * unit() - 1.0); }
 
-    /// 0 ... count - 1.
+    /// Returns 0 ... count - 1.
     int below(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random_); }
 
     template <class T>
@@ -29,16 +29,16 @@ class Chance {
 };
 
 struct Hand {
-    double speed_m_per_s = 0.0;  // along a line; 0: it leaps from place to place
-    double aside_m = 2e-3;       // from there, about
-    double grid_m = 0.0;         // > 0: every position is one of a grid's
-    int ticks_at_a_line = 48;    // then it is put down anew at another
-    double new_level = 0.08;     // chance in a tick
-    double kept = 0.9;           // of where it is aside, from tick to tick; 0: anywhere
+    double speed_m_per_s = 0.0;  // along a line; 0: leaps from place to place
+    double aside_m = 2e-3;       // from the line, about
+    double grid_m = 0.0;         // > 0: every position is on a grid
+    int ticks_at_a_line = 48;    // then it starts anew at another
+    double new_level = 0.08;     // chance per tick
+    double kept = 0.9;           // of its offset aside, from tick to tick; 0: anywhere
 };
 
-/// The given columns of a trace: along a line or from place to place, then anew at another line;
-/// now and then another of the modes and levels.
+/// Returns the given columns of a trace: along a line or from place to place, then anew at another
+/// line, with a change of mode and level now and then.
 [[nodiscard]] std::vector<Row> hand_over(const TactileMap& map, const Hand& hand,
                                          const std::vector<Mode>& modes,
                                          const std::vector<double>& levels, unsigned seed);

@@ -1,5 +1,5 @@
-// Writes the reference traces anew: contact_traces_make. To be run after a change of the machine
-// that is meant; what git shows as changed then is what the hand would feel.
+// contact_traces_make writes the reference traces anew. Run it after an intended change of the
+// machine; what git then shows as changed is what the hand would feel.
 #include "tests/bench/workload.h"
 #include "tests/haptics/contact/traces/hands.h"
 #include "tests/haptics/contact/traces/trace.h"
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double pitch_m = 4e-3;
 constexpr double exact_m =
-    0x1p-8;  // whole nanometres, and its half: nothing is rounded on that grid
+    0x1p-8;  // whole nanometres, as is its half: nothing on that grid is rounded
 
 /// Short lines between points of a grid: they share ends, cross, lie in one another and run back.
 TactileMap lattice() {
@@ -38,8 +38,7 @@ TactileMap lattice() {
     return scenes::map_of(made);
 }
 
-/// Lines of steps of one length along a grid, where lengths, depths and angles are equal to the
-/// last bit.
+/// Lines of equal steps along a grid, whose lengths, depths and angles are equal to the last bit.
 TactileMap steps() {
     Chance chance(8);
     std::vector<Outline> made;
@@ -76,7 +75,7 @@ TactileMap tips() {
              {{0.03, 0.02}, {0.04, 0.02}, {0.0401, 0.03}, {0.033, 0.029}, {0.034, 0.022}}, false)});
 }
 
-/// Lines side by side and across, a line in many pieces that lie in line, a square, a circle.
+/// Lines side by side and across, a line in many collinear pieces, a square, a circle.
 TactileMap bars() {
     std::vector<Position> straight;
     for (int i = 0; i <= 60; ++i) straight.push_back({-0.03 + 1e-3 * i, 0.001});
@@ -252,7 +251,7 @@ void make() {
     std::vector<std::pair<std::string, std::vector<Row>>> runs;
     unsigned seed = 0;
     for (const Case& one : cases) {
-        const TactileMap map = read_lines(one.trace.lines);  // as rounded as its readers get it
+        const TactileMap map = read_lines(one.trace.lines);  // rounded as its readers get it
         runs.emplace_back(one.trace.name,
                           follow(scene_of(map, one.trace), one.trace,
                                  hand_over(map, one.hand, one.modes, one.levels, ++seed)));

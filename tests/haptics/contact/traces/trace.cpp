@@ -51,7 +51,7 @@ double length_m(const std::vector<Position>& way) {
     return sum_m;
 }
 
-/// The states as digits, the first in front.
+/// Returns the states as digits, the first in front.
 double digits_of(const StateTrail& states) {
     double digits = 1.0;
     for (int i = 0; i < states.size(); ++i) digits = 10.0 * digits + static_cast<double>(states[i]);

@@ -1,5 +1,5 @@
 // Reference traces: what the contact machine did with a given hand on given lines, tick by tick, in
-// whole numbers, so that any other implementation can be compared with it. README.md tells the
+// whole numbers, so that any other implementation can be compared with it. README.md explains the
 // columns.
 #pragma once
 
@@ -18,7 +18,7 @@
 
 namespace touchline::traces {
 
-/// The first five are given, the others are what came of them.
+/// The first five are inputs, the others are results.
 enum Column : std::size_t {
     starts,
     mode,
@@ -49,7 +49,7 @@ enum Column : std::size_t {
     column_count
 };
 
-/// Value = whole number / `per_unit`; two numbers that are up to `tolerance` apart are the same.
+/// Value = whole number / `per_unit`; two numbers up to `tolerance` apart count as the same.
 struct ColumnKind {
     std::string_view name;
     double per_unit = 1.0;
@@ -62,21 +62,21 @@ using Row = std::array<std::int64_t, column_count>;
 
 /// A row of traces.csv.
 struct Trace {
-    std::string name;   // of the rows of ticks.csv
-    std::string lines;  // of the rows of lines.csv
+    std::string name;   // of its rows in ticks.csv
+    std::string lines;  // of its rows in lines.csv
     ContactSettings settings;
     int boxes = 0;  // of the collision tree that a tick may open; 0: any number
 };
 
-inline constexpr double per_m = 1e9;  // of every length
+inline constexpr double per_m = 1e9;  // for every length
 
 [[nodiscard]] Scene scene_of(const TactileMap& map, const Trace& trace);
 
-/// The rows with what came of them; of `hand` only the given columns are read.
+/// Returns the rows with their results; reads only the given columns of `hand`.
 [[nodiscard]] std::vector<Row> follow(const Scene& scene, const Trace& trace,
                                       std::span<const Row> hand);
 
-/// Files; an exception where one cannot be read or written.
+/// Read and write files; throw an exception on failure.
 [[nodiscard]] std::vector<Trace> read_traces();
 [[nodiscard]] TactileMap read_lines(const std::string& name);
 [[nodiscard]] std::vector<Row> read_rows(const std::string& name);

@@ -19,8 +19,8 @@ std::string path_of(const std::string& file) {
     return std::string(TOUCHLINE_SOURCE_DIR) + "/tests/haptics/contact/traces/" + file + ".csv";
 }
 
-/// The lines of a file that begin with `key`, without it, with blanks for commas; all but the head
-/// for an empty key.
+/// Returns the lines of a file that begin with `key`, without it, with blanks for commas; for an
+/// empty key all lines but the head.
 std::vector<std::istringstream> lines_of(const std::string& name, const std::string& key = {}) {
     std::ifstream file(path_of(name));
     const std::string begin = key.empty() ? "" : key + ",";

@@ -1,4 +1,4 @@
-// The machine does today what it did when the traces were written.
+// The machine still does what it did when the traces were written.
 #include "tests/haptics/contact/traces/trace.h"
 
 #include <cstdlib>
@@ -8,7 +8,7 @@
 namespace touchline::traces {
 namespace {
 
-/// The first difference in words; empty where there is none.
+/// Describes the first difference; empty if there is none.
 std::string difference(const Row& wanted, const Row& found) {
     for (std::size_t i = 0; i < column_count; ++i) {
         if (std::abs(wanted[i] - found[i]) <= columns[i].tolerance) continue;
