@@ -39,7 +39,7 @@ class FromTheTop {
     Spender spender_{Budget{}};
 };
 
-/// The query of a motion, and how far the next ones need none.
+/// The query of a motion, at every step.
 struct Descent {
     const Scene& scene;
     double level;
