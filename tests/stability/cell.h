@@ -38,14 +38,15 @@ struct CellResult {
 };
 
 /// Applies the excitations: impacts at 0.02, 0.1 and 0.3 m/s pushed with 1 N; pressed from rest
-/// with 3 N; a push of 2 N of which 1 N is let go. Comes to rest: in the last fifth of 2 s the tip
-/// moves by less than 20 um or two encoder steps, or the ringing is clearly on its way there.
+/// with 3 N; a push of 2 N of which 1 N is let go. Comes to rest: in the last fifth of the run (2
+/// s, or 60 swings where those last longer) the tip moves by less than 20 um or two encoder steps,
+/// or the ringing is clearly on its way there.
 [[nodiscard]] bool comes_to_rest(const Cell& cell, double stiffness_N_per_m);
 
 [[nodiscard]] Limits limits_of(const Cell& cell);
 
-/// Tries the stiffnesses of a grid of 30 % from below, up to the first that does not come to rest,
-/// and bisects. Up to 200 runs.
+/// Bisects a grid of stiffnesses, each 1 % above the one before; takes it that all below one that
+/// comes to rest do so, too.
 [[nodiscard]] CellResult measure(const Cell& cell);
 
 [[nodiscard]] const HandModel& hand_by_name(const std::string& name);

@@ -31,7 +31,7 @@ struct FactorialCase {
     double delay_periods = 0.0;
     std::string hand;          // of loop_hands
     std::string fault;         // none, scale, friction, noise, late or all
-    bool is_stiffest = false;  // the operator asks for more than there is, or for the default
+    bool is_stiffest = false;  // the operator asks for all there is, or for the default
     bool is_upright = false;   // turns the wall, to meet the device from two sides
 };
 

@@ -16,7 +16,7 @@ struct Tremor {
     double force_N;  // the reference's largest
 };
 
-/// Trembles with 0.83 of the frequency along the line. Starts 1 mm off it and comes down in a
+/// Trembles with 0.83 of the frequency along the line. Starts 2 mm off it and comes down in a
 /// second.
 Trajectory trembling(const Tremor& tremor) {
     return [tremor](double t) -> Intention {
