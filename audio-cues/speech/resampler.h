@@ -13,7 +13,7 @@ inline constexpr int least_rate_Hz = 8000;
 inline constexpr int most_rate_Hz = 192000;
 
 /// Converts `rate_Hz`, least_rate_Hz to most_rate_Hz, to frame_rate_Hz by libsamplerate's windowed
-/// sinc: sound below 17/20 of half the lower rate passes within 0.1 dB (below 3/4 from a higher
+/// sinc: sound below 17/20 of half the lower rate passes within 0.1 dB (below 2/3 from a higher
 /// rate, where a shorter sinc saves time), and images are below -70 dB. Adds no delay. Threads: one
 /// thread's.
 class Resampler {
