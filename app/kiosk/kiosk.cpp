@@ -142,7 +142,7 @@ void Kiosk::follow_rules() {
     const HeardOutput output = sound_->output();
     rules_.volume_steps = output.volume_steps;
     rules_.sound.volume = output.first_volume;
-    rules_.sound.amount = static_cast<CueAmount>(settings_.sounds);
+    rules_.sound.amount = settings_.sounds;
     rules_.sound.is_speech_on = settings_.is_speech_on;
     rules_.sound.rate = static_cast<std::size_t>(settings_.speech_rate - 1);
     rules_.sound.language = place_of(settings_.first_language, languages_);
@@ -265,7 +265,7 @@ void Kiosk::step(std::int64_t now_ns) {
         follow_servo();
         follow_troubles();
         apply(Tick{now_s});
-        if (settings_.two_switches == moves_by_itself && !is_operator_in())
+        if (settings_.two_switches == SwitchUse::by_itself && !is_operator_in())
             press_switch(SwitchEvent::tick);
         follow_operator();
     }

@@ -166,7 +166,6 @@ class Kiosk {
     [[nodiscard]] std::vector<std::string> live_words() const;
     [[nodiscard]] FeltBounds felt_bounds() const;
     void press_switch(SwitchEvent event);
-    static constexpr int moves_by_itself = 2;  // Settings::two_switches
 
     void take(VisitStep step);
     void follow_rules();

@@ -77,12 +77,12 @@ void Kiosk::strike_key(const KeyStruck& struck) {
 
 /// With two switches a key either selects or moves on.
 void Kiosk::press_for_visit(KeyRole role) {
-    if (settings_.two_switches == 0) return apply(KeyPressed{role});
+    if (settings_.two_switches == SwitchUse::none) return apply(KeyPressed{role});
     press_switch(role == KeyRole::select ? SwitchEvent::select : SwitchEvent::move);
 }
 
 void Kiosk::press_switch(SwitchEvent event) {
-    const double pace_s = settings_.two_switches == moves_by_itself ? settings_.scan_s : 0.0;
+    const double pace_s = settings_.two_switches == SwitchUse::by_itself ? settings_.scan_s : 0.0;
     SwitchStep step = step_switches(scan_, event, screen(), pace_s, now_s_, language());
     scan_ = step.scan;
     if (!step.said.empty()) sound_->say({language().code(), step.said, SpeechPriority::text});

@@ -3,6 +3,8 @@
 // Threads: constants and pure functions.
 #pragma once
 
+#include "config/types/choices.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -38,14 +40,6 @@ struct Palette {
     /// How much of the picture shows over the background: little enough that every mark stands out
     /// on white paper and on black alike.
     double picture_alpha = 0.35;
-};
-
-/// The visitor chooses one; the first is the default.
-enum class PaletteName : std::uint8_t {
-    white_on_black,
-    black_on_white,
-    yellow_on_black,
-    low_glare_grey
 };
 
 inline constexpr std::size_t palette_count = 4;
@@ -87,9 +81,6 @@ inline constexpr Palette low_glare_grey{{0.13, 0.13, 0.13}, {0.82, 0.82, 0.80}, 
 
 /// The contrast of two colours, 1 ... 21 (WCAG 2: relative luminance).
 [[nodiscard]] double contrast(Colour a, Colour b);
-
-/// The visitor chooses one; the first is the default (EN 301 549, 5.1.4).
-enum class TextSize : std::uint8_t { normal, large, larger, largest };
 
 inline constexpr std::size_t text_size_count = 4;
 

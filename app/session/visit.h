@@ -151,7 +151,7 @@ struct VisitWorld {
 /// True if the kiosk has six or more keys. Otherwise one or two switches move through the items and
 /// select them.
 [[nodiscard]] inline bool has_keys(const VisitWorld& world) {
-    return world.settings.two_switches == 0;
+    return world.settings.two_switches == SwitchUse::none;
 }
 
 /// The picture that is felt.

@@ -12,7 +12,7 @@ Visitor new_visitor(const Site& site, const VisitWorld& world) {
     visitor.sound.language = std::min(visitor.sound.language, world.languages.size() - 1);
     visitor.sound.volume = std::min(visitor.sound.volume, world.rules.volume_steps - 1);
     visitor.look = world.rules.look;
-    visitor.feel.mode = static_cast<Mode>(world.settings.mode);
+    visitor.feel.mode = world.settings.mode;
     visitor.detail = world.settings.detail;
     visitor.active_s = site.now_s;
     visitor.key_s = site.now_s;

@@ -22,7 +22,7 @@ void put_attract(Sheet& sheet) {
 void put_language(Sheet& sheet) {
     sheet.title("Pictures to feel");
     if (!has_keys(sheet.world)) {
-        const bool is_one = sheet.world.settings.two_switches == 2;
+        const bool is_one = sheet.world.settings.two_switches == SwitchUse::by_itself;
         sheet.sentence(is_one ? "It moves on by itself; your switch is Select."
                               : "One switch moves on, the other is Select.");
         sheet.sentence("After the last item come Repeat, Back and Help.");

@@ -1,6 +1,7 @@
 // The short sounds by name, and the occasion of one. Threads: values.
 #pragma once
 
+#include "config/types/choices.h"
 #include "config/types/vec2.h"
 
 #include <cstddef>
@@ -26,10 +27,6 @@ enum class Cue : std::uint8_t {
 };
 
 inline constexpr std::size_t cue_count = 12;
-
-/// How much a visitor hears, chosen by one key: only alerts; the short sounds too; or also the
-/// distance to the nearest line and, if chosen, the position tone.
-enum class CueAmount : std::uint8_t { none, cues, full };
 
 /// A cue at a place in the picture.
 struct CueAt {

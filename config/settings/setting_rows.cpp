@@ -37,10 +37,6 @@ struct Put {
         return assign<std::string>(field, text != nullptr && is_allowed(row.text, *text));
     }
 
-    bool operator()(int Settings::*field) const {
-        return row.choices.empty() ? put_whole(field) : put_choice(field);
-    }
-
     template <class T>
     bool assign(T Settings::*field, bool is_allowed) const {
         const T* given = std::get_if<T>(&value);
@@ -49,7 +45,7 @@ struct Put {
         return true;
     }
 
-    bool put_whole(int Settings::*field) const {
+    bool operator()(int Settings::*field) const {
         const double* number = std::get_if<double>(&value);
         if (number == nullptr || !is_in(row.range, *number) || std::floor(*number) != *number)
             return false;
@@ -57,12 +53,13 @@ struct Put {
         return true;
     }
 
-    bool put_choice(int Settings::*field) const {
+    template <class Choice>
+    bool operator()(Choice Settings::*field) const {
         const std::string* name = std::get_if<std::string>(&value);
         if (name == nullptr) return false;
         const auto found = std::find(row.choices.begin(), row.choices.end(), *name);
         if (found == row.choices.end()) return false;
-        settings.*field = static_cast<int>(found - row.choices.begin());
+        settings.*field = static_cast<Choice>(found - row.choices.begin());
         return true;
     }
 };
@@ -127,7 +124,8 @@ SettingValue value_of(const Settings& settings, const SettingRow& row) {
         [&](auto field) -> SettingValue {
             using T = std::remove_cvref_t<decltype(settings.*field)>;
             if constexpr (std::is_same_v<T, int>) {
-                if (row.choices.empty()) return static_cast<double>(settings.*field);
+                return static_cast<double>(settings.*field);
+            } else if constexpr (std::is_enum_v<T>) {
                 return std::string(row.choices[static_cast<std::size_t>(settings.*field)]);
             } else {
                 return settings.*field;

@@ -17,9 +17,11 @@ namespace touchline {
 /// Where a value comes from; a later layer overrides an earlier one.
 enum class SettingLayer : std::uint8_t { defaults, site, profile, session };
 
-/// The member of Settings that a row is about. An int is one of the row's choices if it has any.
+/// The member of Settings that a row is about. An enumeration is one of the row's choices.
 using SettingField =
-    std::variant<bool Settings::*, int Settings::*, double Settings::*, std::string Settings::*>;
+    std::variant<bool Settings::*, int Settings::*, double Settings::*, std::string Settings::*,
+                 Mode Settings::*, CueAmount Settings::*, SwitchUse Settings::*,
+                 TextSize Settings::*, PaletteName Settings::*>;
 
 /// Hard bounds: no file and no screen may exceed them. NaN is in no range.
 struct SettingRange {
@@ -48,7 +50,7 @@ struct SettingRow {
     std::string_view key;
     SettingField field;
     SettingRange range;                               // of numbers
-    std::span<const std::string_view> choices;        // for an int that is one of these; else empty
+    std::span<const std::string_view> choices;        // of an enumeration, in its order; else empty
     std::string_view name;                            // said and shown
     std::string_view unit;                            // spoken after a number; may be empty
     std::string_view help;                            // one sentence

@@ -2,6 +2,7 @@
 // setting_rows.h. Threads: plain values.
 #pragma once
 
+#include "config/types/choices.h"
 #include "config/types/hand_state.h"
 
 #include <string>
@@ -10,7 +11,7 @@ namespace touchline {
 
 struct Settings {
     // feel
-    int mode = static_cast<int>(Mode::groove);  // Mode, until a visitor has chosen one
+    Mode mode = Mode::groove;  // of a visitor who has chosen none
     double stiffness_N_per_m = 500.0;
     double friction = 0.0;
     double force_ceiling_N = 3.0;
@@ -27,7 +28,7 @@ struct Settings {
     // picture
     int detail = 3;
     // sound
-    int sounds = 1;  // 0 none, 1 short ones, 2 all: CueAmount
+    CueAmount sounds = CueAmount::cues;
     bool is_speech_on = true;
     int speech_rate = 4;  // 1 ... 7: a step of speech_rates_per_minute, counted from 1
     // language
@@ -44,13 +45,13 @@ struct Settings {
     bool is_preview_allowed = true;
     // keys
     double double_strike_s = 0.1;
-    int two_switches = 0;  // 0 off, 1 one switch moves, the other selects, 2 it moves by itself
+    SwitchUse two_switches = SwitchUse::none;
     double scan_s = 2.0;
     // screen
     double viewing_distance_m = 0.6;
     double screen_inches = 0.0;  // diagonal; 0: as the screen reports
-    int text_size = 0;           // 0.7, 1.0, 1.4, 2.0 degrees
-    int palette = 0;             // white on black, black on white, yellow on black, low glare
+    TextSize text_size = TextSize::normal;
+    PaletteName palette = PaletteName::white_on_black;
     // hours
     std::string opening_hours = "00:00-24:00";
     std::string quiet_hours;

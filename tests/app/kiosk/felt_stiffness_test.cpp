@@ -161,7 +161,7 @@ TEST(FeltStiffness, OfAVisitorsStepsIsAShareOfTheOperators) {
             SCOPED_TRACE(std::string(step.name) + " of " + std::to_string(set_N_per_m));
             Settings settings;
             settings.stiffness_N_per_m = set_N_per_m;
-            settings.mode = static_cast<int>(Mode::wall);
+            settings.mode = Mode::wall;
             world.kiosk().set(settings);
             wait_for_ramp(world);
             const double meant_N_per_m = std::min(step.share * set_N_per_m, most_N_per_m);

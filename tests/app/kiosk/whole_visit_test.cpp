@@ -147,7 +147,7 @@ TEST(WholeVisit, InEveryLanguage) {
 TEST(WholeVisit, WithTwoSwitches) {
     KioskWorld world;
     Settings settings;
-    settings.two_switches = 1;
+    settings.two_switches = SwitchUse::move_and_select;
     world.kiosk().set(settings);
     const auto move_to = [&world](const std::string& item) {
         for (int i = 0; i < 80; ++i) {

@@ -23,7 +23,7 @@ const std::string catalogue_folder = TOUCHLINE_SOURCE_DIR "/audio-cues/words/cat
 
 struct Layout {
     const char* name;
-    int two_switches;            // Settings::two_switches
+    SwitchUse two_switches;
     std::vector<KeyRole> roles;  // whose keys can be pressed
     bool is_keyboard;            // with letters
 };
@@ -33,10 +33,11 @@ const std::vector<Layout>& layouts() {
     static const std::vector<R> six{R::up, R::down, R::back, R::repeat, R::select, R::help};
     static const std::vector<R> all{R::up,     R::down, R::back,   R::repeat,
                                     R::select, R::help, R::louder, R::softer};
-    static const std::vector<Layout> each{{"six keys", 0, six, false},
-                                          {"two switches", 1, {R::select}, false},
-                                          {"one switch", 2, {R::select}, false},
-                                          {"keyboard", 0, all, true}};
+    static const std::vector<Layout> each{
+        {"six keys", SwitchUse::none, six, false},
+        {"two switches", SwitchUse::move_and_select, {R::select}, false},
+        {"one switch", SwitchUse::by_itself, {R::select}, false},
+        {"keyboard", SwitchUse::none, all, true}};
     return each;
 }
 
@@ -89,7 +90,7 @@ std::set<KeyRole> reached_by_switches(const SpokenScreen& screen, const Language
 
 std::set<KeyRole> keys_there(const Layout& layout, const SpokenScreen& screen,
                              const Language& language) {
-    if (layout.two_switches != 0) return reached_by_switches(screen, language);
+    if (layout.two_switches != SwitchUse::none) return reached_by_switches(screen, language);
     return {layout.roles.begin(), layout.roles.end()};
 }
 
@@ -116,7 +117,7 @@ TEST(KeysInTexts, EveryKeyThatAScreenNamesIsThere) {
 
 /// Returns the keys that step_switches() gives to a visit; Down only if there is an item.
 std::vector<KeyRole> presses_of(const Layout& layout, const SpokenScreen& screen) {
-    if (layout.two_switches == 0) return layout.roles;
+    if (layout.two_switches == SwitchUse::none) return layout.roles;
     std::vector<KeyRole> roles{KeyRole::select, KeyRole::repeat, KeyRole::back, KeyRole::help};
     if (!screen.items.empty()) roles.push_back(KeyRole::down);
     return roles;

@@ -251,7 +251,7 @@ TEST(Visit, TheOperatorsDetailOutlastsACaptureThatIsCancelled) {
 TEST(Visit, TheOperatorsKindOfLineIsFeltAtOnceAndTheNextVisitorsToo) {
     FakeHouse house;
     to_picture(house);
-    set(house, [](Settings& settings) { settings.mode = static_cast<int>(Mode::wall); });
+    set(house, [](Settings& settings) { settings.mode = Mode::wall; });
     ASSERT_EQ(house.last<Feel>().size(), 1U);
     EXPECT_EQ(house.visit.visitor.feel.mode, Mode::wall);
     ASSERT_TRUE(house.choose("Kind of line"));

@@ -196,7 +196,7 @@ TEST(Visit, NobodyIsSentOnFromTheOnlyItem) {
 
 TEST(Visit, WithTwoSwitchesNobodyIsToldOfKeysThatAreNotThere) {
     FakeHouse house;
-    house.settings.two_switches = 1;
+    house.settings.two_switches = SwitchUse::move_and_select;
     house.press(KeyRole::select);
     EXPECT_TRUE(house.last_said().starts_with(
         "Pictures to feel. One switch moves on, the other is Select. After the last item come"));
@@ -212,7 +212,7 @@ TEST(Visit, WithTwoSwitchesNobodyIsToldOfKeysThatAreNotThere) {
     EXPECT_TRUE(house.last_said().ends_with(
         "Move on to call staff. Or press Select to go on without force."));
     FakeHouse one;
-    one.settings.two_switches = 2;
+    one.settings.two_switches = SwitchUse::by_itself;
     one.press(KeyRole::select);
     EXPECT_TRUE(one.has_said("It moves on by itself; your switch is Select.", 0));
 }

@@ -192,7 +192,7 @@ TEST(SettingsText, OnlyWhatIsSetIsChanged) {
     ASSERT_TRUE(settings) << settings.error().line;
     Settings expected;
     expected.friction = 0.25;
-    expected.mode = static_cast<int>(Mode::wall);
+    expected.mode = Mode::wall;
     EXPECT_EQ(*settings, expected);
     EXPECT_EQ(apply_settings({}, "", "f", SettingLayer::session), Settings{});
 }

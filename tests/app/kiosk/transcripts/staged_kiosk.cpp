@@ -61,7 +61,7 @@ std::unique_ptr<OperatorSession> desk_of(const fs::path& folder, const Staging& 
 }  // namespace
 
 StagedKiosk::StagedKiosk(const Staging& staging)
-    : has_two_switches_(staging.two_switches != 0), folder_(new_folder()) {
+    : has_two_switches_(staging.two_switches != SwitchUse::none), folder_(new_folder()) {
     auto servo = std::make_unique<SteppedServo>();
     servo_ = servo.get();
     auto sticks = std::make_unique<SimFileSource>();

@@ -20,7 +20,7 @@ namespace touchline {
 /// The kiosk's settings.
 struct Staging {
     std::string language = "en";  // in which visits begin
-    int two_switches = 0;         // as in Settings
+    SwitchUse two_switches = SwitchUse::none;
 };
 
 class StagedKiosk {

@@ -260,7 +260,7 @@ constexpr std::array plans{
     VisitPlan{"fault", fault},
     VisitPlan{"time-out", time_out},
     VisitPlan{"operator", operators_visit},
-    VisitPlan{"two-switches", two_switches, 1},
+    VisitPlan{"two-switches", two_switches, SwitchUse::move_and_select},
 };
 
 }  // namespace

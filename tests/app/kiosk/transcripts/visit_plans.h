@@ -13,7 +13,7 @@ namespace touchline {
 struct VisitPlan {
     std::string_view name;
     void (*act)(StagedKiosk& kiosk);
-    int two_switches = 0;  // as in Settings
+    SwitchUse two_switches = SwitchUse::none;
 };
 
 /// Returns the eight plans.

@@ -1,0 +1,27 @@
+// What a visitor or an operator chooses one of. Threads: values.
+#pragma once
+
+#include <cstdint>
+
+namespace touchline {
+
+/// How much a visitor hears, chosen by one key: only alerts; the short sounds too; or also the
+/// distance to the nearest line and, if chosen, the position tone.
+enum class CueAmount : std::uint8_t { none, cues, full };
+
+/// How few switches reach all roles: not at all; one moves and the other selects; the focus moves
+/// by itself and one selects.
+enum class SwitchUse : std::uint8_t { none, move_and_select, by_itself };
+
+/// The first is the default (EN 301 549, 5.1.4).
+enum class TextSize : std::uint8_t { normal, large, larger, largest };
+
+/// The first is the default.
+enum class PaletteName : std::uint8_t {
+    white_on_black,
+    black_on_white,
+    yellow_on_black,
+    low_glare_grey
+};
+
+}  // namespace touchline
