@@ -117,7 +117,7 @@ def workers():
     rows.append((13, 'cost of the sandbox, ms: least (median)',
                  f'{with_it - without:.2f} ({median_with - median_without:.2f})', '<= 1', with_it - without <= 1.0,
                  f'{how}: 300 starts of a program that does nothing, with the sandbox and without'))
-    kinds = ['raster', 'film', 'document', 'ocr', 'speech', 'pack']
+    kinds = ['raster', 'heif', 'document', 'ocr', 'speech', 'pack']
     rows.append((14, 'calls that a worker may make, by kind',
                  ', '.join(f'{kind} {allowed[f"allowed_{i}"]}' for i, kind in enumerate(kinds)), '-', None,
                  'test SandboxPolicy.CallsThatAreAllowedWhateverTheirArguments counts the rules'))
