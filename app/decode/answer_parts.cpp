@@ -40,7 +40,7 @@ std::size_t pixel_bytes(const AnswerHeader& header) {
     return std::size_t{3} * header.width * header.height;
 }
 
-/// Of words and figures.
+/// Counts the boxes of words and of figures.
 std::size_t all_boxes(const AnswerHeader& header) {
     return std::size_t{header.boxes} + header.figures;
 }

@@ -1,4 +1,4 @@
-// From keys as they go down and up to presses that count: no repeat, no second strike
+// Turns keys that go down and up into presses that count: no repeat, no second strike
 // (accessibility IN-4). Threads: plain values; one thread's.
 #pragma once
 

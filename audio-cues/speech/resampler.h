@@ -12,7 +12,7 @@ namespace touchline {
 inline constexpr int least_rate_Hz = 8000;
 inline constexpr int most_rate_Hz = 192000;
 
-/// From `rate_Hz`, least_rate_Hz to most_rate_Hz, to frame_rate_Hz, by libsamplerate's windowed
+/// Converts `rate_Hz`, least_rate_Hz to most_rate_Hz, to frame_rate_Hz by libsamplerate's windowed
 /// sinc: what lies below 17/20 of the lower half rate passes within 0.1 dB (from a higher rate,
 /// where a shorter sinc saves time, below 2/3), images are below -70 dB. Nothing is delayed.
 /// Threads: one thread's.
