@@ -134,8 +134,8 @@ TEST(PdfWordsOverLines, TakeNoLineAway) {
     for (const Case& one : cases()) {
         const Found felt = found_with(one.before, one.after);
         std::printf("%-28s %.1f %% of the house, %.1f mm of others\n", one.name.c_str(),
-                    100.0 * felt.site, felt.others_mm);
-        EXPECT_GE(felt.site, 0.97) << one.name;
+                    100.0 * felt.house, felt.others_mm);
+        EXPECT_GE(felt.house, 0.97) << one.name;
         EXPECT_EQ(felt.told, one.told) << one.name;
         EXPECT_LE(felt.others_mm, one.name == "a name across a line" ? 60.0 : 12.0) << one.name;
     }
@@ -145,7 +145,7 @@ TEST(PdfWordsOverLines, SignsThatDrawAreFelt) {
     // A black square and a heavy cross of Dingbats, 100 points large.
     const Found felt =
         found_with("", text("/D 100 Tf", 470, 260, "n") + text("/D 100 Tf", 20, 260, "n"));
-    EXPECT_GE(felt.site, 0.97);
+    EXPECT_GE(felt.house, 0.97);
     EXPECT_EQ(felt.told, Texts{});
     EXPECT_GE(felt.others_mm, 2 * 4 * 12.0) << "their borders";
 }
