@@ -1,7 +1,7 @@
 #include "app/session/status.h"
 
 #include "app/session/fault_words.h"
-#include "app/session/page_words.h"
+#include "app/session/page_place.h"
 
 #include <algorithm>
 #include <array>
@@ -105,17 +105,8 @@ std::string_view detail_words(int detail) {
 }
 
 std::string words_of(Mode mode) {
-    switch (mode) {
-        case Mode::wall:
-            return "wall";
-        case Mode::groove:
-            return "groove";
-        case Mode::ridge:
-            return "ridge";
-        case Mode::stay:
-            return "sticky line";
-    }
-    return {};
+    const auto at = static_cast<std::size_t>(mode);
+    return at < mode_names.size() ? mode_names[at] : "";
 }
 
 std::string words_of(ContactState state) {

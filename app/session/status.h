@@ -51,10 +51,12 @@ struct LiveFacts {
 [[nodiscard]] Status describe(const LiveFacts& facts, const HandState& hand,
                               const ForceStatus& force, const Language& language);
 
-// English texts of the catalogue, contexts "detail", "shape", "mode", "contact" and "event".
+// English texts of the catalogue, contexts "detail", "mode", "shape", "contact" and "event"; names
+// in the order of their enumerations.
 
 inline constexpr std::array detail_names{"silhouette", "main parts", "parts", "fine parts",
                                          "everything"};
+inline constexpr std::array mode_names{"wall", "groove", "ridge", "sticky line"};
 inline constexpr std::array<const char*, held_shape_count> shape_names{"a point", "a disc", "a bar",
                                                                        "an angle", "a key"};
 

@@ -1,7 +1,6 @@
 // What the keys do, the same on every screen.
-#include "app/session/visit_work.h"
+#include "app/session/visit_menu.h"
 
-#include <algorithm>
 #include <array>
 
 namespace touchline {
@@ -34,22 +33,10 @@ bool is_taken_at_once(VisitWork& work, bool is_volume = false) {
     visitor.pulled_s.reset();
     visitor.is_hint_due = false;  // until another item or screen gets the focus
     const bool was_leading = stop_leading(work);
-    switch (open_screen(work)) {
-        case VisitScreen::attract:
-        case VisitScreen::goodbye:
-            cue(work, ScreenEvent::key_taken);
-            begin_visit(work);
-            return true;
-        case VisitScreen::closed:
-            cue(work, ScreenEvent::key_taken);
-            say_screen(work);
-            return true;
-        case VisitScreen::question:
-            cue(work, ScreenEvent::key_taken);
-            uncover(work, words(work, "You have more time."));
-            return true;
-        default:
-            break;
+    if (const VisitAct any_key = row_of(open_screen(work)).any_key; any_key != nullptr) {
+        cue(work, ScreenEvent::key_taken);
+        any_key(work);
+        return true;
     }
     if (!was_leading || is_volume) return false;
     cue(work, ScreenEvent::key_taken);
@@ -75,8 +62,7 @@ void explain(VisitWork& work, KeyRole role) {
 void move(VisitWork& work, bool is_down) {
     const auto moved = move_focus(screen_of(work), is_down);
     if (!moved) {
-        cue(work, ScreenEvent::key_refused);
-        shake(work, HandlePattern::error);
+        refuse(work);
         return say_screen(work);
     }
     open_standing(work).focus = moved->focus;
@@ -98,20 +84,6 @@ void open_help(VisitWork& work) {
     work.visitor.over = Standing{VisitScreen::help};
     work.visitor.helps = 0;
     say_screen(work);
-}
-
-/// Goes one screen back; from choose, asks whether to finish.
-void go_back(VisitWork& work) {
-    const VisitScreen screen = open_screen(work);
-    cue(work, ScreenEvent::key_taken);
-    if (screen == VisitScreen::trouble) return close_trouble(work);
-    if (screen == VisitScreen::opening) return cancel_loading(work);
-    if (screen == VisitScreen::choose) {
-        enter(work, VisitScreen::confirm, static_cast<int>(VisitItem::finish));
-        return say_screen(work);
-    }
-    if (screen == VisitScreen::language) return end_visit(work, VisitScreen::goodbye);
-    step_back(work);
 }
 
 /// Once says the last words; twice the whole screen.
@@ -136,7 +108,8 @@ void act(VisitWork& work, KeyRole role) {
         case KeyRole::down:
             return move(work, true);
         case KeyRole::back:
-            return go_back(work);
+            cue(work, ScreenEvent::key_taken);
+            return row_of(open_screen(work)).back(work);
         case KeyRole::repeat:
             return repeat(work);
         case KeyRole::select:
@@ -183,8 +156,7 @@ void press(VisitWork& work, SpeechKey key) {
 void press_dead_key(VisitWork& work) {
     order(work, Hush{});
     if (is_taken_at_once(work)) return;
-    cue(work, ScreenEvent::key_refused);
-    shake(work, HandlePattern::error);
+    refuse(work);
     work.visitor.repeats = 0;
     work.visitor.helps = 0;
     if (open_screen(work) == VisitScreen::help) {

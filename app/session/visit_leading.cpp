@@ -1,8 +1,9 @@
-// The handle that leads the hand, and the hand's reported position.
+// The handle that leads the hand, and what the hand does: its reported position, and its knob.
 #include "app/session/visit_work.h"
 #include "audio-cues/speech/speech_rate.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace touchline {
 namespace {
@@ -22,8 +23,7 @@ bool names_parts(VisitScreen screen) {
 
 void lead(VisitWork& work, const Guide& guide, const std::string& announcement) {
     if (work.site.troubles[static_cast<std::size_t>(TroubleKind::device)]) {
-        cue(work, ScreenEvent::key_refused);
-        shake(work, HandlePattern::error);
+        refuse(work);
         return say(work, words(work, "The handle has no force now. Move it yourself."));
     }
     work.visitor.leading = Leading{guide, work.site.now_s + announcement_s(work.visitor), false};
@@ -79,6 +79,13 @@ void follow_handle(VisitWork& work, const HandleSeen& handle) {
         return uncover(work, words(work, "You have more time."));
     }
     name_part(work);
+}
+
+void follow_knob(VisitWork& work, double by_rad) {
+    Visitor& visitor = work.visitor;
+    if (visitor.feel.shape == HeldShape::none || !std::isfinite(by_rad)) return;
+    visitor.active_s = work.site.now_s;
+    visitor.feel.turn_rad += by_rad;
 }
 
 }  // namespace touchline

@@ -113,6 +113,26 @@ void focus_on(VisitWork& work, VisitItem item) {
     open_standing(work).focus = static_cast<std::size_t>(found - screen.items.begin());
 }
 
+std::string told_trouble(TroubleKind kind, const std::string& sentence, const Language& language) {
+    if (!sentence.empty()) return sentence;
+    switch (kind) {
+        case TroubleKind::device:
+            return language.text("visit",
+                                 "The handle has no force. It does not answer. You can still "
+                                 "listen; please tell the staff.");
+        case TroubleKind::sound:
+            return language.text("speech", "There is no sound. Please call the staff.");
+        case TroubleKind::camera:
+            return language.text("visit",
+                                 "The camera does not answer. Choose other pictures, or "
+                                 "tell the staff.");
+        case TroubleKind::stick:
+            return language.text("visit",
+                                 "The USB stick cannot be read. Pull it out and put it in again.");
+    }
+    return {};
+}
+
 void show_trouble(VisitWork& work, const std::string& sentence,
                   std::optional<TroubleKind> trouble) {
     const bool is_going_on = open_screen(work) == VisitScreen::trouble && trouble.has_value() &&

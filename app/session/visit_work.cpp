@@ -55,6 +55,11 @@ void shake(VisitWork& work, HandlePattern pattern) {
     order(work, GivePattern{pattern});
 }
 
+void refuse(VisitWork& work) {
+    cue(work, ScreenEvent::key_refused);
+    shake(work, HandlePattern::error);
+}
+
 void say_in(VisitWork& work, const Language& language, const std::string& text,
             SpeechPriority priority) {
     if (text.empty()) return;

@@ -31,6 +31,9 @@ void order(VisitWork& work, VisitOrder order);
 void cue(VisitWork& work, ScreenEvent event);
 void shake(VisitWork& work, HandlePattern pattern);
 
+/// Answers a key that can do nothing here.
+void refuse(VisitWork& work);
+
 /// Says `text` and makes it the caption. Does nothing if it is empty.
 void say(VisitWork& work, const std::string& text, SpeechPriority priority = SpeechPriority::text);
 /// Says `text` once what is being said is over. Repeat says it again.
@@ -120,24 +123,8 @@ void take_failed(VisitWork& work, const PictureFailed& failed);
 /// Title, how it is drawn, overview, parts.
 [[nodiscard]] std::string told_picture(const VisitWork& work);
 
-/// Turns a place of what is felt into W of the whole picture.
-[[nodiscard]] Position in_whole_picture(const VisitWork& work, Position place_W);
-
-/// Enlarges twice around it, or four times if it is in the middle already.
-void zoom_around(VisitWork& work, Position place_W, double factor);
-void zoom_in_on_part(VisitWork& work, std::size_t part);
-
-/// "On the tail, upper right."
-[[nodiscard]] std::string told_place(const VisitWork& work);
-
 // The stick's list (visit_stick.cpp).
 
-/// Opens the letters of the rows that the list shows now.
-void open_letters(VisitWork& work);
-
-/// `row` of Visitor::letters: from now on the list shows its files.
-void take_letter(VisitWork& work, std::size_t row);
-void show_all_files(VisitWork& work);
 void forget_letters(Visitor& visitor);
 
 /// Opens the page of the list that has this file, with the focus on it.
@@ -153,38 +140,24 @@ bool stop_leading(VisitWork& work);
 
 void follow_handle(VisitWork& work, const HandleSeen& handle);
 
+/// Turns a held shape. Says nothing: the hand feels a knob turn.
+void follow_knob(VisitWork& work, double by_rad);
+
 /// Says the name of the part that the hand rests on.
 void name_part(VisitWork& work);
 
-// A held shape (visit_shape.cpp).
-
-/// `item`: turn_left, turn_right or turn_back.
-void turn_shape(VisitWork& work, VisitItem item);
-
-/// Says nothing: the hand feels a knob turn.
-void follow_knob(VisitWork& work, double by_rad);
-
 // Settings (visit_settings.cpp).
 
-struct ValueList {
-    std::vector<std::string> names;
-    std::size_t chosen = 0;
-};
-
-/// The values of a setting, in the order of the screen.
-[[nodiscard]] ValueList values_of(const Visit& visit, const VisitWorld& world, VisitItem setting);
-[[nodiscard]] std::string name_of(VisitItem setting, const Language& language);
-
-/// `value` is an index of values_of().
-void choose_value(VisitWork& work, VisitItem setting, std::size_t value);
 void change_volume(VisitWork& work, int change);
 void change_rate(VisitWork& work, int change);
+
+/// Goes back to how the visit began, and says so on the screen before.
 void reset_settings(VisitWork& work);
 
 /// Applies the operator's changes to the feel over the visitor's choices: the later change holds.
 void follow_settings(VisitWork& work, const Settings& before);
 
-// Keys (visit_keys.cpp, visit_select.cpp) and time (visit_time.cpp).
+// Keys (visit_keys.cpp, visit_menu.cpp) and time (visit_time.cpp).
 
 void press(VisitWork& work, KeyRole role);
 void press(VisitWork& work, SpeechKey key);

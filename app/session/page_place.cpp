@@ -1,4 +1,4 @@
-#include "app/session/page_words.h"
+#include "app/session/page_place.h"
 
 #include "app/session/screen_model.h"
 
