@@ -20,7 +20,7 @@ std::array<VisitMenu, 4> menus() {
     return {main_menu(), picture_menu(), settings_menu(), stick_menu()};
 }
 
-std::string told_value(const ScreenWriter& sheet, const VisitSetting& setting) {
+std::string told_value(const VisitSheet& sheet, const VisitSetting& setting) {
     const std::vector<std::string> names = setting.names(sheet.world, sheet.language);
     const std::size_t chosen = setting.value.chosen(sheet.visitor());
     if (!setting.is_counted) return names[std::min(chosen, names.size() - 1)];
@@ -28,7 +28,7 @@ std::string told_value(const ScreenWriter& sheet, const VisitSetting& setting) {
                                {std::to_string(chosen + 1), std::to_string(names.size())});
 }
 
-void add_item(ScreenWriter& sheet, VisitItem item, const char* name) {
+void add_item(VisitSheet& sheet, VisitItem item, const char* name) {
     sheet.screen.items.push_back({static_cast<int>(item),
                                   ItemRole::choice,
                                   sheet.words(name),
@@ -36,7 +36,7 @@ void add_item(ScreenWriter& sheet, VisitItem item, const char* name) {
                                   sheet.words(hint_of_choice(sheet.world))});
 }
 
-void add_item(ScreenWriter& sheet, const VisitItemRow& row) {
+void add_item(VisitSheet& sheet, const VisitItemRow& row) {
     if (const auto* const list = std::get_if<VisitList>(&row.does)) return list->write(sheet);
     add_item(sheet, row.item, row.name);
     ScreenItem& shown = sheet.screen.items.back();
@@ -55,7 +55,7 @@ void add_item(ScreenWriter& sheet, const VisitItemRow& row) {
     if (row.hint != nullptr) shown.hint = sheet.words(row.hint);
 }
 
-void add_items(ScreenWriter& sheet, VisitScreen screen) {
+void add_items(VisitSheet& sheet, VisitScreen screen) {
     for (const VisitMenu& menu : menus())
         for (const VisitItemRow& row : menu.items)
             if (row.screen == screen && (row.is_shown == nullptr || row.is_shown(sheet)))
@@ -63,7 +63,7 @@ void add_items(ScreenWriter& sheet, VisitScreen screen) {
 }
 
 /// Rewords the hint of a single item, because it must not send anybody to another item.
-void mind_the_only_item(ScreenWriter& sheet) {
+void mind_the_only_item(VisitSheet& sheet) {
     if (sheet.screen.items.size() != 1) return;
     std::string& hint = sheet.screen.items.front().hint;
     if (hint != sheet.words(hint_of_choice(sheet.world))) return;
@@ -114,29 +114,29 @@ struct Choose {
 
 }  // namespace
 
-std::string ScreenWriter::words(const char* english) const {
+std::string VisitSheet::words(const char* english) const {
     return language.text("visit", english);
 }
 
-void ScreenWriter::title(const char* english) {
+void VisitSheet::title(const char* english) {
     screen.title = words(english);
 }
 
-void ScreenWriter::sentence(const char* english) {
+void VisitSheet::sentence(const char* english) {
     told(words(english));
 }
 
-void ScreenWriter::told(const std::string& text) {
+void VisitSheet::told(const std::string& text) {
     add_sentence(screen.text, text);
 }
 
-void ScreenWriter::row(std::size_t number, const std::string& name, const std::string& value) {
+void VisitSheet::row(std::size_t number, const std::string& name, const std::string& value) {
     screen.items.push_back({static_cast<int>(VisitItem::entry) + static_cast<int>(number),
                             ItemRole::choice, name, value, words(hint_of_choice(world))});
 }
 
-void ScreenWriter::list(std::size_t count, const std::function<ListRow(std::size_t)>& row_at,
-                        const char* hint) {
+void VisitSheet::list(std::size_t count, const std::function<ListRow(std::size_t)>& row_at,
+                      const char* hint) {
     constexpr std::size_t page = list_page;
     const auto wanted = static_cast<std::size_t>(std::max(visitor().path.back().about, 0));
     const std::size_t first = count == 0 ? 0 : std::min(wanted, (count - 1) / page * page);
@@ -155,7 +155,7 @@ void ScreenWriter::list(std::size_t count, const std::function<ListRow(std::size
     if (first > 0) add_item(*this, VisitItem::ten_before, "The ten before");
 }
 
-void ScreenWriter::list(const std::vector<ListRow>& rows, const char* hint) {
+void VisitSheet::list(const std::vector<ListRow>& rows, const char* hint) {
     list(
         rows.size(), [&rows](std::size_t place) { return rows[place]; }, hint);
 }
@@ -183,7 +183,7 @@ SpokenScreen screen_of(const Visit& visit, const VisitWorld& world) {
     const Visitor& visitor = visit.visitor;
     const Standing& open = visitor.over ? *visitor.over : visitor.path.back();
     const VisitScreenRow& row = row_of(open.screen);
-    ScreenWriter sheet{visit, world, language_of(visit, world), {}};
+    VisitSheet sheet{visit, world, language_of(visit, world), {}};
     if (row.title != nullptr) sheet.title(row.title);
     if (row.text != nullptr) sheet.sentence(row.text);
     if (row.write != nullptr) row.write(sheet);

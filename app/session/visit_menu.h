@@ -23,7 +23,7 @@ struct ListRow {
 };
 
 /// A screen while it is being written. The English texts belong to the context "visit".
-struct ScreenWriter {
+struct VisitSheet {
     const Visit& visit;
     const VisitWorld& world;
     const Language& language;
@@ -98,7 +98,7 @@ struct VisitSwitch {
 
 /// All rows of a list. `take`: one of them, by what it stands for and its name.
 struct VisitList {
-    void (*write)(ScreenWriter&);
+    void (*write)(VisitSheet&);
     void (*take)(VisitWork&, std::size_t number, const std::string& name);
 };
 
@@ -111,19 +111,19 @@ struct VisitItemRow {
     VisitItem item;    // of a list: entry
     const char* name;  // of a list: empty
     VisitChoice does;
-    const char* hint = nullptr;                       // nothing: that of its kind
-    bool (*is_shown)(const ScreenWriter&) = nullptr;  // nothing: always
-    std::string (*value)(const ScreenWriter&) = nullptr;
+    const char* hint = nullptr;                     // nothing: that of its kind
+    bool (*is_shown)(const VisitSheet&) = nullptr;  // nothing: always
+    std::string (*value)(const VisitSheet&) = nullptr;
 };
 
 struct VisitScreenRow {
     VisitScreen screen;
-    const char* title = nullptr;             // nothing: `write` writes it
-    const char* text = nullptr;              // a sentence; nothing: none
-    void (*write)(ScreenWriter&) = nullptr;  // what of title and text depends on the visit
-    const char* back_item = nullptr;         // the name of its last item, which goes back
-    VisitAct back = step_back;               // what the key Back does
-    VisitAct any_key = nullptr;              // what every key does here, and nothing else
+    const char* title = nullptr;           // nothing: `write` writes it
+    const char* text = nullptr;            // a sentence; nothing: none
+    void (*write)(VisitSheet&) = nullptr;  // what of title and text depends on the visit
+    const char* back_item = nullptr;       // the name of its last item, which goes back
+    VisitAct back = step_back;             // what the key Back does
+    VisitAct any_key = nullptr;            // what every key does here, and nothing else
     ScreenView view = ScreenView::none;
 };
 
@@ -146,6 +146,6 @@ struct VisitMenu {
 void show(VisitWork& work, VisitScreen screen, int about = 0, std::size_t focus = 0);
 
 /// The title of what is felt, or what stands for it.
-[[nodiscard]] std::string picture_title(const ScreenWriter& sheet);
+[[nodiscard]] std::string picture_title(const VisitSheet& sheet);
 
 }  // namespace touchline

@@ -6,56 +6,76 @@
 #include "audio-cues/words/thing_words.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <vector>
 
 namespace touchline {
 namespace {
 
 // Facts that decide what is shown.
 
-const PictureFacts& facts_of(const ScreenWriter& sheet) {
+const PictureFacts& facts_of(const VisitSheet& sheet) {
     return sheet.felt().facts;
 }
 
-bool has_outline(const ScreenWriter& sheet) {
+bool has_outline(const VisitSheet& sheet) {
     return facts_of(sheet).outline_count > 0;
 }
 
-bool is_zoomed(const ScreenWriter& sheet) {
+bool is_zoomed(const VisitSheet& sheet) {
     return sheet.felt().order.zoom.factor > 1.0;
 }
 
 /// The views of what is felt are things of a photograph, not pictures of a page.
-bool is_of_things(const ScreenWriter& sheet) {
+bool is_of_things(const VisitSheet& sheet) {
     return facts_of(sheet).place.things == ThingSearch::found;
 }
 
-bool has_view_after(const ScreenWriter& sheet) {
+bool has_view_after(const VisitSheet& sheet) {
     const PagePlace& place = facts_of(sheet).place;
     return place.view + 1 < place.view_count;
 }
 
-bool is_before_whole(const ScreenWriter& sheet) {
+bool is_before_whole(const VisitSheet& sheet) {
     const PagePlace& place = facts_of(sheet).place;
     return place.view + 1 == place.view_count;
 }
 
-bool has_view_before(const ScreenWriter& sheet) {
+bool has_view_before(const VisitSheet& sheet) {
     return facts_of(sheet).place.view > 1;
 }
 
-bool offers_shape(const ScreenWriter& sheet) {
+bool has_pages(const VisitSheet& sheet) {
+    const PagePlace& place = facts_of(sheet).place;
+    return place.page_count > 1 || place.view_count > 1;
+}
+
+/// The condition, and that the views are things.
+template <bool (*holds)(const VisitSheet&)>
+bool of_things(const VisitSheet& sheet) {
+    return is_of_things(sheet) && holds(sheet);
+}
+
+/// The condition, and that they are pictures of a page.
+template <bool (*holds)(const VisitSheet&)>
+bool of_page(const VisitSheet& sheet) {
+    return !is_of_things(sheet) && holds(sheet);
+}
+
+bool offers_shape(const VisitSheet& sheet) {
     return sheet.world.settings.offers_shapes && has_outline(sheet);
 }
 
-bool holds_shape(const ScreenWriter& sheet) {
+bool holds_shape(const VisitSheet& sheet) {
     return offers_shape(sheet) && sheet.visitor().feel.shape != HeldShape::none;
 }
 
 // Values and texts.
 
-std::string told_zoom(const ScreenWriter& sheet) {
+std::string told_zoom(const VisitSheet& sheet) {
     if (!is_zoomed(sheet)) return sheet.words("off");
     const ZoomWanted& zoom = sheet.felt().order.zoom;
     return sheet.language.text("visit", "{0} times larger, {1}",
@@ -63,12 +83,12 @@ std::string told_zoom(const ScreenWriter& sheet) {
                                 words_of(place_of(zoom.centre, CueArea{}), sheet.language)});
 }
 
-std::string told_part_count(const ScreenWriter& sheet) {
+std::string told_part_count(const VisitSheet& sheet) {
     return sheet.language.counted("count", "{0} part", "{0} parts",
                                   static_cast<int>(facts_of(sheet).parts.size()));
 }
 
-std::string told_page_place(const ScreenWriter& sheet) {
+std::string told_page_place(const VisitSheet& sheet) {
     return words_of(facts_of(sheet).place, sheet.language);
 }
 
@@ -86,17 +106,17 @@ std::string told_turn(double turn_rad, const Language& language) {
                                           "turned right by {0} degrees", turned);
 }
 
-std::string turn_value(const ScreenWriter& sheet) {
+std::string turn_value(const VisitSheet& sheet) {
     return told_turn(sheet.visitor().feel.turn_rad, sheet.language);
 }
 
-void write_practice(ScreenWriter& sheet) {
+void write_practice(VisitSheet& sheet) {
     sheet.told(sheet.visitor().felt ? facts_of(sheet).title : std::string());
     sheet.sentence("Move the handle until a line holds it.");
     sheet.sentence("Then follow the line.");
 }
 
-void write_picture(ScreenWriter& sheet) {
+void write_picture(VisitSheet& sheet) {
     const PictureFacts& facts = facts_of(sheet);
     sheet.screen.title = picture_title(sheet);
     sheet.told(facts.description);
@@ -108,7 +128,7 @@ void write_picture(ScreenWriter& sheet) {
         sheet.sentence("You hold a shape. It works once no line goes through it.");
 }
 
-void write_parts(ScreenWriter& sheet) {
+void write_parts(VisitSheet& sheet) {
     std::vector<ListRow> rows;
     for (const PartFacts& part : facts_of(sheet).parts) {
         rows.push_back(
@@ -117,18 +137,18 @@ void write_parts(ScreenWriter& sheet) {
     sheet.list(rows, "Press Select, and the handle guides you to the part.");
 }
 
-void write_zoom(ScreenWriter& sheet) {
+void write_zoom(VisitSheet& sheet) {
     if (is_zoomed(sheet)) sheet.told(sheet.language.text("visit", "Now: {0}.", {told_zoom(sheet)}));
 }
 
-void write_parts_to_enlarge(ScreenWriter& sheet) {
+void write_parts_to_enlarge(VisitSheet& sheet) {
     std::vector<ListRow> rows;
     for (const PartFacts& part : facts_of(sheet).parts)
         rows.push_back({rows.size(), part.name, sheet.words("enlarged")});
     sheet.list(rows, "Press Select to enlarge it twice, then four times.");
 }
 
-void write_pages(ScreenWriter& sheet) {
+void write_pages(VisitSheet& sheet) {
     sheet.title(is_of_things(sheet) ? "How much of the photo" : "Pages");
     sheet.told(sheet.language.text("visit", "Now: {0}.", {told_page_place(sheet)}));
 }
@@ -197,6 +217,10 @@ void zoom_in_on_part(VisitWork& work, std::size_t part, const std::string& /*nam
 template <int factor>
 void zoom_here(VisitWork& work) {
     zoom_around(work, work.visitor.handle.place_W, factor);
+}
+
+std::size_t chosen_detail(const Visitor& visitor) {
+    return static_cast<std::size_t>(std::clamp(visitor.detail, 1, 5) - 1);
 }
 
 void choose_detail(VisitWork& work, std::size_t value) {
@@ -294,124 +318,96 @@ constexpr const char* turn_hint = "Press Select to turn it a little. A knob turn
 using S = VisitScreen;
 using I = VisitItem;
 
-constexpr std::array picture_screens{
-    VisitScreenRow{.screen = S::practice,
-                   .title = "Practice shape",
-                   .write = write_practice,
-                   .back_item = "Go on to the pictures",
-                   .view = ScreenView::picture},
-    VisitScreenRow{.screen = S::picture,
-                   .write = write_picture,
-                   .back_item = "Back",
-                   .view = ScreenView::picture},
-    VisitScreenRow{.screen = S::parts,
-                   .title = "Parts",
-                   .text = "Press Select, and the handle guides you to the part.",
-                   .back_item = "Back",
-                   .view = ScreenView::picture},
-    VisitScreenRow{.screen = S::explore,
-                   .title = "Explore freely",
-                   .text = "Rest on a line to hear its name.",
-                   .back_item = "Back",
-                   .view = ScreenView::picture},
-    VisitScreenRow{.screen = S::zoom,
-                   .title = "Enlargement",
-                   .write = write_zoom,
-                   .back_item = "Back",
-                   .view = ScreenView::picture},
-    VisitScreenRow{
-        .screen = S::pages, .write = write_pages, .back_item = "Back", .view = ScreenView::picture},
-};
+constexpr auto picture_screens = std::to_array<VisitScreenRow>({
+    {.screen = S::practice,
+     .title = "Practice shape",
+     .write = write_practice,
+     .back_item = "Go on to the pictures",
+     .view = ScreenView::picture},
+    {.screen = S::picture,
+     .write = write_picture,
+     .back_item = "Back",
+     .view = ScreenView::picture},
+    {.screen = S::parts,
+     .title = "Parts",
+     .text = "Press Select, and the handle guides you to the part.",
+     .back_item = "Back",
+     .view = ScreenView::picture},
+    {.screen = S::explore,
+     .title = "Explore freely",
+     .text = "Rest on a line to hear its name.",
+     .back_item = "Back",
+     .view = ScreenView::picture},
+    {.screen = S::zoom,
+     .title = "Enlargement",
+     .write = write_zoom,
+     .back_item = "Back",
+     .view = ScreenView::picture},
+    {.screen = S::pages, .write = write_pages, .back_item = "Back", .view = ScreenView::picture},
+});
 
-constexpr std::array picture_items{
-    VisitItemRow{S::practice, I::lead_round, "Guide me round the outline", lead_round, begin_hint},
-    VisitItemRow{S::practice, I::other_shape, "Another shape", other_shape},
-    VisitItemRow{S::practice, I::bring_back, "Bring me back to the line", bring_back},
+constexpr auto picture_items = std::to_array<VisitItemRow>({
+    {S::practice, I::lead_round, "Guide me round the outline", lead_round, begin_hint},
+    {S::practice, I::other_shape, "Another shape", other_shape},
+    {S::practice, I::bring_back, "Bring me back to the line", bring_back},
 
-    VisitItemRow{S::picture, I::lead_round, "Guide me round the outer outline", lead_round,
-                 begin_hint,
-                 [](const ScreenWriter& sheet) { return facts_of(sheet).outline_count > 1; }},
-    VisitItemRow{S::picture, I::lead_round, "Guide me round the outline", lead_round, begin_hint,
-                 [](const ScreenWriter& sheet) { return facts_of(sheet).outline_count == 1; }},
-    VisitItemRow{
-        S::picture, I::parts, "Parts", S::parts, "Choose a part, and the handle guides you to it.",
-        [](const ScreenWriter& sheet) { return !facts_of(sheet).parts.empty(); }, told_part_count},
-    VisitItemRow{S::picture, I::explore, "Explore freely", S::explore, "Parts say their names."},
-    VisitItemRow{S::picture, I::bring_back, "Bring me back to a line", bring_back, nullptr,
-                 has_outline},
-    VisitItemRow{S::picture, I::tell_again, "Tell me again", tell_again},
-    VisitItemRow{S::picture, I::detail, "Detail",
-                 VisitSetting{named<details>,
-                              {[](const Visitor& visitor) {
-                                   return static_cast<std::size_t>(
-                                       std::clamp(visitor.detail, 1, 5) - 1);
-                               },
-                               choose_detail}}},
-    VisitItemRow{S::picture, I::zoom, "Enlargement", S::zoom, nullptr, nullptr, told_zoom},
-    VisitItemRow{S::picture, I::mode, "Kind of line",
-                 VisitSetting{named<modes>, kept_in<&Visitor::feel, &Feel::mode>}},
-    VisitItemRow{S::picture, I::stiffness, "Firmness",
-                 VisitSetting{stiffness_names, kept_in<&Visitor::feel, &Feel::stiffness>}},
-    VisitItemRow{S::picture, I::held_shape, "Shape in the hand",
-                 VisitSetting{named<shapes>, kept_in<&Visitor::feel, &Feel::shape>},
-                 "For the curious: lines push and twist it.", offers_shape},
-    VisitItemRow{S::picture, I::turn_left, "Turn it left", turn_left, turn_hint, holds_shape,
-                 turn_value},
-    VisitItemRow{S::picture, I::turn_right, "Turn it right", turn_right, turn_hint, holds_shape,
-                 turn_value},
-    VisitItemRow{S::picture, I::turn_back, "Turn it back", turn_back, nullptr, holds_shape},
-    VisitItemRow{S::picture, I::pages, "How much of the photo", S::pages, nullptr, is_of_things,
-                 told_page_place},
-    VisitItemRow{S::picture, I::pages, "Pages", S::pages, nullptr,
-                 [](const ScreenWriter& sheet) {
-                     const PagePlace& place = facts_of(sheet).place;
-                     return !is_of_things(sheet) && (place.page_count > 1 || place.view_count > 1);
-                 },
-                 told_page_place},
-    VisitItemRow{
-        S::picture, I::thing_here, "Find the thing under my hand", find_thing_here, nullptr,
-        [](const ScreenWriter& sheet) {
-            return is_of_things(sheet) || facts_of(sheet).place.things == ThingSearch::unclear;
-        }},
-    VisitItemRow{S::picture, I::another_picture, "Another picture", choose_another},
+    {S::picture, I::lead_round, "Guide me round the outer outline", lead_round, begin_hint,
+     [](const VisitSheet& sheet) { return facts_of(sheet).outline_count > 1; }},
+    {S::picture, I::lead_round, "Guide me round the outline", lead_round, begin_hint,
+     [](const VisitSheet& sheet) { return facts_of(sheet).outline_count == 1; }},
+    {S::picture, I::parts, "Parts", S::parts, "Choose a part, and the handle guides you to it.",
+     [](const VisitSheet& sheet) { return !facts_of(sheet).parts.empty(); }, told_part_count},
+    {S::picture, I::explore, "Explore freely", S::explore, "Parts say their names."},
+    {S::picture, I::bring_back, "Bring me back to a line", bring_back, nullptr, has_outline},
+    {S::picture, I::tell_again, "Tell me again", tell_again},
+    {S::picture, I::detail, "Detail", VisitSetting{named<details>, {chosen_detail, choose_detail}}},
+    {S::picture, I::zoom, "Enlargement", S::zoom, nullptr, nullptr, told_zoom},
+    {S::picture, I::mode, "Kind of line",
+     VisitSetting{named<modes>, kept_in<&Visitor::feel, &Feel::mode>}},
+    {S::picture, I::stiffness, "Firmness",
+     VisitSetting{stiffness_names, kept_in<&Visitor::feel, &Feel::stiffness>}},
+    {S::picture, I::held_shape, "Shape in the hand",
+     VisitSetting{named<shapes>, kept_in<&Visitor::feel, &Feel::shape>},
+     "For the curious: lines push and twist it.", offers_shape},
+    {S::picture, I::turn_left, "Turn it left", turn_left, turn_hint, holds_shape, turn_value},
+    {S::picture, I::turn_right, "Turn it right", turn_right, turn_hint, holds_shape, turn_value},
+    {S::picture, I::turn_back, "Turn it back", turn_back, nullptr, holds_shape},
+    {S::picture, I::pages, "How much of the photo", S::pages, nullptr, is_of_things,
+     told_page_place},
+    {S::picture, I::pages, "Pages", S::pages, nullptr, of_page<has_pages>, told_page_place},
+    {S::picture, I::thing_here, "Find the thing under my hand", find_thing_here, nullptr,
+     [](const VisitSheet& sheet) {
+         return is_of_things(sheet) || facts_of(sheet).place.things == ThingSearch::unclear;
+     }},
+    {S::picture, I::another_picture, "Another picture", choose_another},
 
-    VisitItemRow{S::parts, I::entry, "", VisitList{write_parts, lead_to_part}},
+    {S::parts, I::entry, "", VisitList{write_parts, lead_to_part}},
 
-    VisitItemRow{S::explore, I::where_am_i, "Where am I?", tell_place},
-    VisitItemRow{S::explore, I::bring_back, "Bring me back to a line", bring_back, nullptr,
-                 has_outline},
+    {S::explore, I::where_am_i, "Where am I?", tell_place},
+    {S::explore, I::bring_back, "Bring me back to a line", bring_back, nullptr, has_outline},
 
-    VisitItemRow{S::zoom, I::whole_picture, "The whole picture", zoom_here<1>, nullptr, is_zoomed},
-    VisitItemRow{S::zoom, I::twice_here, "Twice as large, around your hand", zoom_here<2>},
-    VisitItemRow{S::zoom, I::four_times_here, "Four times as large, around your hand",
-                 zoom_here<4>},
-    VisitItemRow{S::zoom, I::entry, "", VisitList{write_parts_to_enlarge, zoom_in_on_part}},
+    {S::zoom, I::whole_picture, "The whole picture", zoom_here<1>, nullptr, is_zoomed},
+    {S::zoom, I::twice_here, "Twice as large, around your hand", zoom_here<2>},
+    {S::zoom, I::four_times_here, "Four times as large, around your hand", zoom_here<4>},
+    {S::zoom, I::entry, "", VisitList{write_parts_to_enlarge, zoom_in_on_part}},
 
-    VisitItemRow{
-        S::pages, I::next_view, "The next thing", step_view<+1>, nullptr,
-        [](const ScreenWriter& sheet) { return is_of_things(sheet) && has_view_after(sheet); }},
-    VisitItemRow{
-        S::pages, I::next_view, "Next picture of the page", step_view<+1>, nullptr,
-        [](const ScreenWriter& sheet) { return !is_of_things(sheet) && has_view_after(sheet); }},
-    VisitItemRow{
-        S::pages, I::next_view, "The whole photograph", step_view<+1>, nullptr,
-        [](const ScreenWriter& sheet) { return is_of_things(sheet) && is_before_whole(sheet); }},
-    VisitItemRow{
-        S::pages, I::next_view, "The whole page", step_view<+1>, nullptr,
-        [](const ScreenWriter& sheet) { return !is_of_things(sheet) && is_before_whole(sheet); }},
-    VisitItemRow{
-        S::pages, I::view_before, "The thing before", step_view<-1>, nullptr,
-        [](const ScreenWriter& sheet) { return is_of_things(sheet) && has_view_before(sheet); }},
-    VisitItemRow{
-        S::pages, I::view_before, "The picture before", step_view<-1>, nullptr,
-        [](const ScreenWriter& sheet) { return !is_of_things(sheet) && has_view_before(sheet); }},
-    VisitItemRow{S::pages, I::next_page, "Go to the next page", step_page<+1>, nullptr,
-                 [](const ScreenWriter& sheet) {
-                     return facts_of(sheet).place.page < facts_of(sheet).place.page_count;
-                 }},
-    VisitItemRow{S::pages, I::page_before, "Go to the page before", step_page<-1>, nullptr,
-                 [](const ScreenWriter& sheet) { return facts_of(sheet).place.page > 1; }},
-};
+    {S::pages, I::next_view, "The next thing", step_view<+1>, nullptr, of_things<has_view_after>},
+    {S::pages, I::next_view, "Next picture of the page", step_view<+1>, nullptr,
+     of_page<has_view_after>},
+    {S::pages, I::next_view, "The whole photograph", step_view<+1>, nullptr,
+     of_things<is_before_whole>},
+    {S::pages, I::next_view, "The whole page", step_view<+1>, nullptr, of_page<is_before_whole>},
+    {S::pages, I::view_before, "The thing before", step_view<-1>, nullptr,
+     of_things<has_view_before>},
+    {S::pages, I::view_before, "The picture before", step_view<-1>, nullptr,
+     of_page<has_view_before>},
+    {S::pages, I::next_page, "Go to the next page", step_page<+1>, nullptr,
+     [](const VisitSheet& sheet) {
+         return facts_of(sheet).place.page < facts_of(sheet).place.page_count;
+     }},
+    {S::pages, I::page_before, "Go to the page before", step_page<-1>, nullptr,
+     [](const VisitSheet& sheet) { return facts_of(sheet).place.page > 1; }},
+});
 
 }  // namespace
 
@@ -419,7 +415,7 @@ VisitMenu picture_menu() {
     return {picture_screens, picture_items};
 }
 
-std::string picture_title(const ScreenWriter& sheet) {
+std::string picture_title(const VisitSheet& sheet) {
     const std::string& title = facts_of(sheet).title;
     if (!title.empty()) return title;
     const bool is_photo = sheet.felt().order.source == PictureSource::camera;

@@ -9,11 +9,9 @@
 namespace touchline {
 namespace {
 
-using Sheet = ScreenWriter;
-
 // Beginning.
 
-void write_language(Sheet& sheet) {
+void write_language(VisitSheet& sheet) {
     if (!has_keys(sheet.world)) {
         const bool is_one = sheet.world.settings.two_switches == SwitchUse::by_itself;
         sheet.sentence(is_one ? "It moves on by itself; your switch is Select."
@@ -26,7 +24,7 @@ void write_language(Sheet& sheet) {
     }
 }
 
-void write_languages(Sheet& sheet) {
+void write_languages(VisitSheet& sheet) {
     for (std::size_t row = 0; row < sheet.world.languages.size(); ++row)
         sheet.row(row, sheet.world.languages[row].name());
 }
@@ -41,19 +39,19 @@ void begin_in_language(VisitWork& work, std::size_t language, const std::string&
 
 /// Tells the troubles of force and sound, which concern everything; the others are told in their
 /// place.
-void write_lasting_troubles(Sheet& sheet) {
+void write_lasting_troubles(VisitSheet& sheet) {
     for (const TroubleKind kind : {TroubleKind::device, TroubleKind::sound}) {
         const auto& trouble = sheet.visit.site.troubles[static_cast<std::size_t>(kind)];
         if (trouble) sheet.told(told_trouble(kind, *trouble, sheet.language));
     }
 }
 
-bool has_own_picture(const Sheet& sheet) {
+bool has_own_picture(const VisitSheet& sheet) {
     const auto& felt = sheet.visitor().felt;
     return felt && felt->order.source != PictureSource::practice;
 }
 
-void write_choose(Sheet& sheet) {
+void write_choose(VisitSheet& sheet) {
     write_lasting_troubles(sheet);
     if (has_own_picture(sheet)) {
         sheet.sentence("Your picture stays until you choose another.");
@@ -63,7 +61,7 @@ void write_choose(Sheet& sheet) {
     }
 }
 
-std::string stick_value(const Sheet& sheet) {
+std::string stick_value(const VisitSheet& sheet) {
     const Visitor& visitor = sheet.visitor();
     if (!visitor.has_stick) return sheet.words("none");
     if (!visitor.stick_list) return sheet.words("being read");
@@ -71,11 +69,11 @@ std::string stick_value(const Sheet& sheet) {
                                   static_cast<int>(visitor.stick_list->names.size()));
 }
 
-std::string camera_value(const Sheet& sheet) {
+std::string camera_value(const VisitSheet& sheet) {
     return sheet.visit.site.has_camera ? std::string() : sheet.words("not ready");
 }
 
-std::string staff_value(const Sheet& sheet) {
+std::string staff_value(const VisitSheet& sheet) {
     return sheet.visit.site.is_staff_called ? sheet.words("called") : std::string();
 }
 
@@ -100,7 +98,7 @@ void call_staff(VisitWork& work) {
 
 // The gallery.
 
-const std::vector<GalleryTitle>& gallery_of(const Sheet& sheet) {
+const std::vector<GalleryTitle>& gallery_of(const VisitSheet& sheet) {
     static const std::vector<GalleryTitle> none;
     if (sheet.world.gallery.empty()) return none;
     const std::size_t last = sheet.world.gallery.size() - 1;
@@ -118,7 +116,7 @@ std::vector<std::size_t> gallery_order(const std::vector<GalleryTitle>& gallery)
     return numbers;
 }
 
-void write_gallery(Sheet& sheet) {
+void write_gallery(VisitSheet& sheet) {
     static constexpr std::array grades{"very easy", "easy", "medium", "hard", "very hard"};
     const std::vector<GalleryTitle>& gallery = gallery_of(sheet);
     std::vector<ListRow> rows;
@@ -138,7 +136,7 @@ void take_of_gallery(VisitWork& work, std::size_t number, const std::string& nam
 
 // The camera, and work under way.
 
-void write_camera(Sheet& sheet) {
+void write_camera(VisitSheet& sheet) {
     if (sheet.visit.site.has_camera) {
         sheet.sentence("Lay your picture on the tray under the camera.");
         sheet.sentence("No photo is taken until you press Select.");
@@ -158,7 +156,7 @@ void capture(VisitWork& work) {
     enter(work, VisitScreen::opening);
 }
 
-void write_opening(Sheet& sheet) {
+void write_opening(VisitSheet& sheet) {
     sheet.title(sheet.visitor().is_capturing ? "The photo is being taken."
                                              : "The picture is being opened.");
     if (sheet.visitor().loading) sheet.told(sheet.visitor().loading->name);
@@ -175,16 +173,16 @@ struct VisitQuestion {
 
 constexpr const char* lost_text = "Your picture and your settings will not be kept here.";
 
-constexpr std::array questions{
-    VisitQuestion{VisitItem::finish, "Finish?", lost_text,
-                  [](VisitWork& work) { end_visit(work, VisitScreen::goodbye); }},
-    VisitQuestion{VisitItem::start_over, "Start over?", lost_text,
-                  [](VisitWork& work) {
-                      end_visit(work, VisitScreen::attract);
-                      begin_visit(work);
-                  }},
-    VisitQuestion{VisitItem::reset, "Reset the settings?",
-                  "Sound, speech, letters and lines will be as at the start.", reset_settings}};
+constexpr auto questions = std::to_array<VisitQuestion>(
+    {{VisitItem::finish, "Finish?", lost_text,
+      [](VisitWork& work) { end_visit(work, VisitScreen::goodbye); }},
+     {VisitItem::start_over, "Start over?", lost_text,
+      [](VisitWork& work) {
+          end_visit(work, VisitScreen::attract);
+          begin_visit(work);
+      }},
+     {VisitItem::reset, "Reset the settings?",
+      "Sound, speech, letters and lines will be as at the start.", reset_settings}});
 
 const VisitQuestion& asked_question(const Visitor& visitor) {
     const auto asked = static_cast<VisitItem>(visitor.path.back().about);
@@ -192,7 +190,7 @@ const VisitQuestion& asked_question(const Visitor& visitor) {
     return found != questions.end() ? *found : questions.back();
 }
 
-void write_confirm(Sheet& sheet) {
+void write_confirm(VisitSheet& sheet) {
     const VisitQuestion& question = asked_question(sheet.visitor());
     sheet.title(question.title);
     sheet.sentence(question.text);
@@ -204,13 +202,13 @@ void ask_to_finish(VisitWork& work) {
 
 // The end.
 
-void write_goodbye(Sheet& sheet) {
+void write_goodbye(VisitSheet& sheet) {
     if (sheet.visitor().has_stick_to_take) sheet.sentence("Take your USB stick with you.");
     sheet.sentence("If you brought headphones, take them with you.");
     sheet.sentence("Nothing about you is kept here.");
 }
 
-void write_closed(Sheet& sheet) {
+void write_closed(VisitSheet& sheet) {
     const bool is_maintained = sheet.visit.site.opening == SiteOpening::maintenance;
     sheet.title(is_maintained ? "This kiosk is being serviced." : "This kiosk is closed.");
     if (sheet.world.rules.notice.empty()) {
@@ -222,7 +220,7 @@ void write_closed(Sheet& sheet) {
 
 // What lies over another screen.
 
-void write_help(Sheet& sheet) {
+void write_help(VisitSheet& sheet) {
     if (!has_keys(sheet.world)) {
         sheet.sentence("Move on to Repeat, Back or Help.");
         sheet.sentence("Press Select to hear its use.");
@@ -233,7 +231,7 @@ void write_help(Sheet& sheet) {
     }
 }
 
-void write_question(Sheet& sheet) {
+void write_question(VisitSheet& sheet) {
     sheet.sentence(has_keys(sheet.world) ? "Press any key to go on." : "Press a switch to go on.");
     sheet.told(sheet.language.text(
         "visit", "Otherwise your visit ends in {0} seconds.",
@@ -244,17 +242,17 @@ void give_more_time(VisitWork& work) {
     uncover(work, words(work, "You have more time."));
 }
 
-bool is_of_handle(const Sheet& sheet) {
+bool is_of_handle(const VisitSheet& sheet) {
     return sheet.visitor().trouble == TroubleKind::device;
 }
 
-void write_trouble(Sheet& sheet) {
+void write_trouble(VisitSheet& sheet) {
     sheet.title(is_of_handle(sheet) ? "The handle" : "Something is wrong");
     sheet.told(sheet.visitor().error);
 }
 
 /// Without the handle's force the visit goes on.
-bool can_call_staff(const Sheet& sheet) {
+bool can_call_staff(const VisitSheet& sheet) {
     return is_of_handle(sheet) && sheet.world.rules.offers_staff &&
            !sheet.visit.site.is_staff_called;
 }
@@ -266,75 +264,69 @@ void go_on(VisitWork& work) {
 using S = VisitScreen;
 using I = VisitItem;
 
-constexpr std::array main_screens{
-    VisitScreenRow{.screen = S::attract,
-                   .title = "Pictures to feel",
-                   .text = "Hold the handle, or press any key.",
-                   .any_key = begin_visit},
-    VisitScreenRow{.screen = S::language,
-                   .title = "Pictures to feel",
-                   .write = write_language,
-                   .back = [](VisitWork& work) { end_visit(work, S::goodbye); }},
-    VisitScreenRow{
-        .screen = S::choose, .title = "What to feel", .write = write_choose, .back = ask_to_finish},
-    VisitScreenRow{.screen = S::gallery, .title = "Gallery", .back_item = "Back"},
-    VisitScreenRow{.screen = S::camera,
-                   .title = "Camera",
-                   .write = write_camera,
-                   .back_item = "Back",
-                   .view = ScreenView::camera},
-    VisitScreenRow{.screen = S::opening, .write = write_opening, .back = cancel_loading},
-    VisitScreenRow{.screen = S::confirm, .write = write_confirm},
-    VisitScreenRow{
-        .screen = S::goodbye, .title = "Goodbye", .write = write_goodbye, .any_key = begin_visit},
-    VisitScreenRow{.screen = S::closed,
-                   .write = write_closed,
-                   .any_key = [](VisitWork& work) { say_screen(work); }},
-    VisitScreenRow{.screen = S::help, .title = "Try the keys", .write = write_help},
-    VisitScreenRow{.screen = S::question,
-                   .title = "Are you still there?",
-                   .write = write_question,
-                   .any_key = give_more_time},
-    VisitScreenRow{.screen = S::trouble, .write = write_trouble, .back = go_on},
-};
+constexpr auto main_screens = std::to_array<VisitScreenRow>({
+    {.screen = S::attract,
+     .title = "Pictures to feel",
+     .text = "Hold the handle, or press any key.",
+     .any_key = begin_visit},
+    {.screen = S::language,
+     .title = "Pictures to feel",
+     .write = write_language,
+     .back = [](VisitWork& work) { end_visit(work, S::goodbye); }},
+    {.screen = S::choose, .title = "What to feel", .write = write_choose, .back = ask_to_finish},
+    {.screen = S::gallery, .title = "Gallery", .back_item = "Back"},
+    {.screen = S::camera,
+     .title = "Camera",
+     .write = write_camera,
+     .back_item = "Back",
+     .view = ScreenView::camera},
+    {.screen = S::opening, .write = write_opening, .back = cancel_loading},
+    {.screen = S::confirm, .write = write_confirm},
+    {.screen = S::goodbye, .title = "Goodbye", .write = write_goodbye, .any_key = begin_visit},
+    {.screen = S::closed,
+     .write = write_closed,
+     .any_key = [](VisitWork& work) { say_screen(work); }},
+    {.screen = S::help, .title = "Try the keys", .write = write_help},
+    {.screen = S::question,
+     .title = "Are you still there?",
+     .write = write_question,
+     .any_key = give_more_time},
+    {.screen = S::trouble, .write = write_trouble, .back = go_on},
+});
 
-constexpr std::array main_items{
-    VisitItemRow{S::language, I::entry, "", VisitList{write_languages, begin_in_language}},
-    VisitItemRow{S::choose, I::back_to_picture, "Back to the picture", return_to_picture, nullptr,
-                 has_own_picture, picture_title},
-    VisitItemRow{S::choose, I::practise, "Practice shape", practise,
-                 "A circle shows how a line feels."},
-    VisitItemRow{S::choose, I::gallery, "Gallery", S::gallery, "The easiest come first.",
-                 [](const Sheet& sheet) { return !gallery_of(sheet).empty(); }},
-    VisitItemRow{S::choose, I::stick, "Your USB stick", S::stick,
-                 "Nothing is written to it. You can pull it out at any time.",
-                 [](const Sheet& sheet) { return sheet.world.rules.has_stick_port; }, stick_value},
-    VisitItemRow{S::choose, I::camera, "Camera", S::camera, "Takes a photo of what lies under it.",
-                 [](const Sheet& sheet) { return sheet.world.rules.has_camera; }, camera_value},
-    VisitItemRow{S::choose, I::settings, "Settings", S::settings,
-                 "Volume, speech, language and letters."},
-    VisitItemRow{S::choose, I::call_staff, "Call staff", call_staff, nullptr,
-                 [](const Sheet& sheet) { return sheet.world.rules.offers_staff; }, staff_value},
-    VisitItemRow{S::choose, I::finish, "Finish", S::confirm, "Ends your visit."},
-    VisitItemRow{S::gallery, I::entry, "", VisitList{write_gallery, take_of_gallery}},
-    VisitItemRow{S::camera, I::take_picture, "Take the photo", capture},
-    VisitItemRow{S::opening, I::cancel, "Cancel", cancel_loading},
-    VisitItemRow{S::confirm, I::no, "No", step_back},
-    VisitItemRow{S::confirm, I::yes, "Yes",
-                 [](VisitWork& work) { asked_question(work.visitor).yes(work); }},
-    VisitItemRow{S::trouble, I::go_on, "Go on", go_on, "Press Select to go on.",
-                 [](const Sheet& sheet) { return !is_of_handle(sheet); }},
-    VisitItemRow{S::trouble, I::go_on, "Go on", go_on, "Or press Select to go on without force.",
-                 [](const Sheet& sheet) { return is_of_handle(sheet) && !can_call_staff(sheet); }},
-    VisitItemRow{S::trouble, I::go_on, "Go on", go_on,
-                 "Press Down to call staff, or Select to go on without force.",
-                 [](const Sheet& sheet) { return can_call_staff(sheet) && has_keys(sheet.world); }},
-    VisitItemRow{
-        S::trouble, I::go_on, "Go on", go_on,
-        "Move on to call staff. Or press Select to go on without force.",
-        [](const Sheet& sheet) { return can_call_staff(sheet) && !has_keys(sheet.world); }},
-    VisitItemRow{S::trouble, I::call_staff, "Call staff", call_staff, nullptr, can_call_staff},
-};
+constexpr auto main_items = std::to_array<VisitItemRow>({
+    {S::language, I::entry, "", VisitList{write_languages, begin_in_language}},
+    {S::choose, I::back_to_picture, "Back to the picture", return_to_picture, nullptr,
+     has_own_picture, picture_title},
+    {S::choose, I::practise, "Practice shape", practise, "A circle shows how a line feels."},
+    {S::choose, I::gallery, "Gallery", S::gallery, "The easiest come first.",
+     [](const VisitSheet& sheet) { return !gallery_of(sheet).empty(); }},
+    {S::choose, I::stick, "Your USB stick", S::stick,
+     "Nothing is written to it. You can pull it out at any time.",
+     [](const VisitSheet& sheet) { return sheet.world.rules.has_stick_port; }, stick_value},
+    {S::choose, I::camera, "Camera", S::camera, "Takes a photo of what lies under it.",
+     [](const VisitSheet& sheet) { return sheet.world.rules.has_camera; }, camera_value},
+    {S::choose, I::settings, "Settings", S::settings, "Volume, speech, language and letters."},
+    {S::choose, I::call_staff, "Call staff", call_staff, nullptr,
+     [](const VisitSheet& sheet) { return sheet.world.rules.offers_staff; }, staff_value},
+    {S::choose, I::finish, "Finish", S::confirm, "Ends your visit."},
+    {S::gallery, I::entry, "", VisitList{write_gallery, take_of_gallery}},
+    {S::camera, I::take_picture, "Take the photo", capture},
+    {S::opening, I::cancel, "Cancel", cancel_loading},
+    {S::confirm, I::no, "No", step_back},
+    {S::confirm, I::yes, "Yes", [](VisitWork& work) { asked_question(work.visitor).yes(work); }},
+    {S::trouble, I::go_on, "Go on", go_on, "Press Select to go on.",
+     [](const VisitSheet& sheet) { return !is_of_handle(sheet); }},
+    {S::trouble, I::go_on, "Go on", go_on, "Or press Select to go on without force.",
+     [](const VisitSheet& sheet) { return is_of_handle(sheet) && !can_call_staff(sheet); }},
+    {S::trouble, I::go_on, "Go on", go_on,
+     "Press Down to call staff, or Select to go on without force.",
+     [](const VisitSheet& sheet) { return can_call_staff(sheet) && has_keys(sheet.world); }},
+    {S::trouble, I::go_on, "Go on", go_on,
+     "Move on to call staff. Or press Select to go on without force.",
+     [](const VisitSheet& sheet) { return can_call_staff(sheet) && !has_keys(sheet.world); }},
+    {S::trouble, I::call_staff, "Call staff", call_staff, nullptr, can_call_staff},
+});
 
 }  // namespace
 

@@ -52,11 +52,11 @@ const VisitItemRow& setting_of(const Visitor& visitor) {
     return setting_row(static_cast<VisitItem>(visitor.path.back().about));
 }
 
-void write_values_title(ScreenWriter& sheet) {
+void write_values_title(VisitSheet& sheet) {
     sheet.title(setting_of(sheet.visitor()).name);
 }
 
-void write_values(ScreenWriter& sheet) {
+void write_values(VisitSheet& sheet) {
     const auto& setting = std::get<VisitSetting>(setting_of(sheet.visitor()).does);
     const std::vector<std::string> names = setting.names(sheet.world, sheet.language);
     const std::size_t chosen = setting.value.chosen(sheet.visitor());
@@ -75,38 +75,35 @@ void choose_value(VisitWork& work, std::size_t value, const std::string& /*name*
 using S = VisitScreen;
 using I = VisitItem;
 
-constexpr std::array settings_screens{
-    VisitScreenRow{.screen = S::settings, .title = "Settings", .back_item = "Back"},
-    VisitScreenRow{.screen = S::values, .write = write_values_title},
-};
+constexpr auto settings_screens = std::to_array<VisitScreenRow>({
+    {.screen = S::settings, .title = "Settings", .back_item = "Back"},
+    {.screen = S::values, .write = write_values_title},
+});
 
-constexpr std::array settings_items{
-    VisitItemRow{S::settings, I::volume, "Volume",
-                 VisitSetting{volume_names, kept_in<&Visitor::sound, &SoundWanted::volume>, true}},
-    VisitItemRow{S::settings, I::rate, "Speaking speed",
-                 VisitSetting{rate_names, kept_in<&Visitor::sound, &SoundWanted::rate>, true}},
-    VisitItemRow{
-        S::settings, I::language, "Language",
-        VisitSetting{language_names,
-                     {kept_in<&Visitor::sound, &SoundWanted::language>.chosen, choose_language}}},
-    VisitItemRow{S::settings, I::sounds, "Sounds",
-                 VisitSetting{named<amounts>, kept_in<&Visitor::sound, &SoundWanted::amount>}},
-    VisitItemRow{S::settings, I::mono, "The same in both ears",
-                 VisitSwitch{kept_in<&Visitor::sound, &SoundWanted::is_mono>}},
-    VisitItemRow{S::settings, I::speech, "Speech",
-                 VisitSwitch{kept_in<&Visitor::sound, &SoundWanted::is_speech_on>, 1, tell_speech}},
-    VisitItemRow{S::settings, I::text_size, "Size of letters",
-                 VisitSetting{named<sizes>, kept_in<&Visitor::look, &LookWanted::text_size>}},
-    VisitItemRow{S::settings, I::palette, "Contrast",
-                 VisitSetting{named<palettes>, kept_in<&Visitor::look, &LookWanted::palette>}},
-    VisitItemRow{S::settings, I::screen, "Screen",
-                 VisitSwitch{kept_in<&Visitor::look, &LookWanted::is_off>, 0},
-                 "When it is off, nobody can read along."},
-    VisitItemRow{S::settings, I::reset, "Reset the settings", S::confirm},
-    VisitItemRow{S::settings, I::start_over, "Start over", S::confirm,
-                 "Ends your visit and begins a new one."},
-    VisitItemRow{S::values, I::entry, "", VisitList{write_values, choose_value}},
-};
+constexpr auto settings_items = std::to_array<VisitItemRow>({
+    {S::settings, I::volume, "Volume",
+     VisitSetting{volume_names, kept_in<&Visitor::sound, &SoundWanted::volume>, true}},
+    {S::settings, I::rate, "Speaking speed",
+     VisitSetting{rate_names, kept_in<&Visitor::sound, &SoundWanted::rate>, true}},
+    {S::settings, I::language, "Language",
+     VisitSetting{language_names,
+                  {kept_in<&Visitor::sound, &SoundWanted::language>.chosen, choose_language}}},
+    {S::settings, I::sounds, "Sounds",
+     VisitSetting{named<amounts>, kept_in<&Visitor::sound, &SoundWanted::amount>}},
+    {S::settings, I::mono, "The same in both ears",
+     VisitSwitch{kept_in<&Visitor::sound, &SoundWanted::is_mono>}},
+    {S::settings, I::speech, "Speech",
+     VisitSwitch{kept_in<&Visitor::sound, &SoundWanted::is_speech_on>, 1, tell_speech}},
+    {S::settings, I::text_size, "Size of letters",
+     VisitSetting{named<sizes>, kept_in<&Visitor::look, &LookWanted::text_size>}},
+    {S::settings, I::palette, "Contrast",
+     VisitSetting{named<palettes>, kept_in<&Visitor::look, &LookWanted::palette>}},
+    {S::settings, I::screen, "Screen", VisitSwitch{kept_in<&Visitor::look, &LookWanted::is_off>, 0},
+     "When it is off, nobody can read along."},
+    {S::settings, I::reset, "Reset the settings", S::confirm},
+    {S::settings, I::start_over, "Start over", S::confirm, "Ends your visit and begins a new one."},
+    {S::values, I::entry, "", VisitList{write_values, choose_value}},
+});
 
 }  // namespace
 

@@ -44,20 +44,20 @@ std::vector<LetterGroup> groups_of(const VisitWork& work) {
 }
 
 /// True once the stick has been read.
-bool has_list(const ScreenWriter& sheet) {
+bool has_list(const VisitSheet& sheet) {
     return sheet.visitor().has_stick && sheet.visitor().stick_list;
 }
 
-bool is_part(const ScreenWriter& sheet) {
+bool is_part(const VisitSheet& sheet) {
     return has_list(sheet) && sheet.visitor().found;
 }
 
 /// True if there is more than a page, so that a search helps.
-bool can_be_grouped(const ScreenWriter& sheet) {
+bool can_be_grouped(const VisitSheet& sheet) {
     return has_list(sheet) && rows_of(sheet.visitor()) > list_page;
 }
 
-void write_stick(ScreenWriter& sheet) {
+void write_stick(VisitSheet& sheet) {
     const Visitor& visitor = sheet.visitor();
     if (!visitor.has_stick) {
         sheet.sentence("There is no USB stick.");
@@ -75,7 +75,7 @@ void write_stick(ScreenWriter& sheet) {
     }
 }
 
-void write_files(ScreenWriter& sheet) {
+void write_files(VisitSheet& sheet) {
     if (!has_list(sheet)) return;
     const Visitor& visitor = sheet.visitor();
     sheet.list(
@@ -93,7 +93,7 @@ void take_file(VisitWork& work, std::size_t row, const std::string& name) {
     open_picture(work, PictureSource::stick, row, name);
 }
 
-void write_letters(ScreenWriter& sheet) {
+void write_letters(VisitSheet& sheet) {
     if (!sheet.visitor().letters) return;
     const std::vector<LetterGroup>& letters = *sheet.visitor().letters;
     for (std::size_t i = 0; i < letters.size(); ++i)
@@ -133,24 +133,22 @@ void show_all_files(VisitWork& work) {
 using S = VisitScreen;
 using I = VisitItem;
 
-constexpr std::array stick_screens{
-    VisitScreenRow{
-        .screen = S::stick, .title = "Your USB stick", .write = write_stick, .back_item = "Back"},
-    VisitScreenRow{.screen = S::letters, .title = "How names begin", .back_item = "Back"},
-};
+constexpr auto stick_screens = std::to_array<VisitScreenRow>({
+    {.screen = S::stick, .title = "Your USB stick", .write = write_stick, .back_item = "Back"},
+    {.screen = S::letters, .title = "How names begin", .back_item = "Back"},
+});
 
 constexpr const char* group_hint = "Groups the files by how their names begin.";
 
-constexpr std::array stick_items{
-    VisitItemRow{S::stick, I::entry, "", VisitList{write_files, take_file}},
-    VisitItemRow{S::stick, I::letters, "By the next letter", open_letters, group_hint,
-                 [](const ScreenWriter& sheet) { return can_be_grouped(sheet) && is_part(sheet); }},
-    VisitItemRow{
-        S::stick, I::letters, "By the first letter", open_letters, group_hint,
-        [](const ScreenWriter& sheet) { return can_be_grouped(sheet) && !is_part(sheet); }},
-    VisitItemRow{S::stick, I::all_files, "All files", show_all_files, nullptr, is_part},
-    VisitItemRow{S::letters, I::entry, "", VisitList{write_letters, take_letter}},
-};
+constexpr auto stick_items = std::to_array<VisitItemRow>({
+    {S::stick, I::entry, "", VisitList{write_files, take_file}},
+    {S::stick, I::letters, "By the next letter", open_letters, group_hint,
+     [](const VisitSheet& sheet) { return can_be_grouped(sheet) && is_part(sheet); }},
+    {S::stick, I::letters, "By the first letter", open_letters, group_hint,
+     [](const VisitSheet& sheet) { return can_be_grouped(sheet) && !is_part(sheet); }},
+    {S::stick, I::all_files, "All files", show_all_files, nullptr, is_part},
+    {S::letters, I::entry, "", VisitList{write_letters, take_letter}},
+});
 
 }  // namespace
 
