@@ -45,7 +45,7 @@ void say_in(VisitWork& work, const Language& language, const std::string& text,
 [[nodiscard]] std::string words(const VisitWork& work, const std::string& english,
                                 std::initializer_list<std::string_view> values = {});
 
-// Navigation (visit_path.cpp). What is said begins with `first` unless that is empty.
+// Navigation. What is said begins with `first` unless that is empty.
 
 /// The open screen: title, text, focused item.
 void say_screen(VisitWork& work, const std::string& first = {});
@@ -88,7 +88,7 @@ void uncover(VisitWork& work, const std::string& first = {});
 [[nodiscard]] std::string told_trouble(TroubleKind kind, const std::string& sentence,
                                        const Language& language);
 
-// Beginning and end (visit_ends.cpp).
+// Beginning and end (visit.cpp).
 
 /// Ends the screen of the visitor before: nothing of theirs stays, except a stick that is plugged
 /// in.

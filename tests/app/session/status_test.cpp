@@ -1,7 +1,7 @@
 #include "app/session/status.h"
 
-#include "app/session/fault_words.h"
 #include "app/session/keys.h"
+#include "app/session/told_lines.h"
 
 #include <algorithm>
 #include <fstream>
