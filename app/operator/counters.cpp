@@ -79,10 +79,8 @@ fs::path counters_file() {
 Result<Counters> read_counters(const fs::path& file) {
     std::error_code error;
     if (!fs::exists(file, error) && !error) return Counters{};
-    const auto bytes = read_file(file.string());
-    if (!bytes) return tl::unexpected(bytes.error());
-    return parse_counters({reinterpret_cast<const char*>(bytes->data()), bytes->size()},
-                          file.string());
+    return read_text(file).and_then(
+        [&file](const std::string& text) { return parse_counters(text, file.string()); });
 }
 
 Result<void> keep_counters(const fs::path& file, const Counters& counters) {

@@ -1,4 +1,3 @@
-#include "app/operator/operator_places.h"
 #include "app/operator/operator_turn.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// The operator's PIN on the disk: its yescrypt hash, in a file that only the kiosk reads.
+// The operator's PIN on the disk: its yescrypt hash, and how many wrong ones there were, so that a
+// restart gives no free try. Each is a small file that only the kiosk's user may read.
 // Threads: any, each call by itself; a hash takes some hundredths of a second.
 #pragma once
 
@@ -22,5 +23,16 @@ namespace touchline {
 /// Takes as long for a wrong PIN as for the right one. Fails if the file is missing, is no hash, or
 /// can be read or written by others.
 [[nodiscard]] Result<bool> is_right_pin(const std::filesystem::path& file, const std::string& pin);
+
+/// operator.tries beside the PIN.
+[[nodiscard]] std::filesystem::path pin_tries_file(const std::filesystem::path& pin);
+
+/// Called before a PIN is judged, with that one counted. It is on the disk when the call returns,
+/// so pulling the plug undoes nothing.
+[[nodiscard]] Result<void> keep_pin_tries(const std::filesystem::path& file, int wrong);
+
+/// Returns 0 if there is no file: nothing was tried. Fails if the file is damaged or open to
+/// others; count that as most_wrong_pins.
+[[nodiscard]] Result<int> read_pin_tries(const std::filesystem::path& file);
 
 }  // namespace touchline

@@ -30,6 +30,9 @@ struct PagePlace {
 /// A view beyond every count, which means the last.
 inline constexpr int last_view = 1'000'000;
 
+/// "Page 2 of 10"; empty for a single page.
+[[nodiscard]] std::string page_words(int page, int page_count, const Language& language);
+
 /// "Page 2 of 10. Picture 1 of 3 on this page"; empty for a document of one page and one picture.
 [[nodiscard]] std::string words_of(const PagePlace& place, const Language& language);
 

@@ -1,5 +1,7 @@
 #include "app/session/visit_menu.h"
 
+#include "app/session/page_place.h"
+
 #include <algorithm>
 #include <array>
 
@@ -73,7 +75,7 @@ void mind_the_only_item(VisitSheet& sheet) {
 
 void turn_page(VisitWork& work, int change) {
     Standing& open = open_standing(work);
-    open.about = std::max(open.about + change * list_page, 0);
+    open.about = std::max(open.about + change * static_cast<int>(list_page), 0);
     open.focus = 0;
     say_screen(work);
 }
@@ -137,22 +139,16 @@ void VisitSheet::row(std::size_t number, const std::string& name, const std::str
 
 void VisitSheet::list(std::size_t count, const std::function<ListRow(std::size_t)>& row_at,
                       const char* hint) {
-    constexpr std::size_t page = list_page;
     const auto wanted = static_cast<std::size_t>(std::max(visitor().path.back().about, 0));
-    const std::size_t first = count == 0 ? 0 : std::min(wanted, (count - 1) / page * page);
-    const std::size_t end = std::min(first + page, count);
-    if (count > page) {
-        told(language.text(
-            "page", "Page {0} of {1}",
-            {std::to_string(first / page + 1), std::to_string((count + page - 1) / page)}));
-    }
-    for (std::size_t i = first; i < end; ++i) {
+    const ListPage page = page_of(count, wanted);
+    told(page_words(page.number, page.count, language));
+    for (std::size_t i = page.first; i < page.end; ++i) {
         const ListRow shown = row_at(i);
         row(shown.number, shown.name, shown.value);
         screen.items.back().hint = words(hint);
     }
-    if (end < count) add_item(*this, VisitItem::next_ten, "The next ten");
-    if (first > 0) add_item(*this, VisitItem::ten_before, "The ten before");
+    if (page.end < count) add_item(*this, VisitItem::next_ten, "The next ten");
+    if (page.first > 0) add_item(*this, VisitItem::ten_before, "The ten before");
 }
 
 void VisitSheet::list(const std::vector<ListRow>& rows, const char* hint) {
@@ -189,8 +185,7 @@ SpokenScreen screen_of(const Visit& visit, const VisitWorld& world) {
     if (row.write != nullptr) row.write(sheet);
     add_items(sheet, open.screen);
     if (row.back_item != nullptr) add_item(sheet, VisitItem::back, row.back_item);
-    if (!sheet.screen.items.empty())
-        sheet.screen.focus = std::min(open.focus, sheet.screen.items.size() - 1);
+    set_focus(sheet.screen, open.focus);
     mind_the_only_item(sheet);
     // A picture stays in view beneath what lies over it.
     const ScreenView beneath = row_of(visitor.path.back().screen).view;

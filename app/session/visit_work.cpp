@@ -186,12 +186,8 @@ void go_to(VisitWork& work, VisitScreen screen) {
 }
 
 void focus_on(VisitWork& work, VisitItem item) {
-    const SpokenScreen screen = screen_of(work);
-    const auto found = std::find_if(
-        screen.items.begin(), screen.items.end(),
-        [item](const ScreenItem& shown) { return shown.id == static_cast<int>(item); });
-    if (found == screen.items.end()) return;
-    open_standing(work).focus = static_cast<std::size_t>(found - screen.items.begin());
+    const auto place = place_of(screen_of(work).items, static_cast<int>(item));
+    if (place) open_standing(work).focus = *place;
 }
 
 std::string told_trouble(TroubleKind kind, const std::string& sentence, const Language& language) {

@@ -165,7 +165,6 @@ void press_dead_key(VisitWork& work);
 void select(VisitWork& work);
 void pass_time(VisitWork& work, double now_s);
 
-inline constexpr int list_page = 10;  // rows of a list on a screen
 inline constexpr double hint_after_s = 1.5;
 inline constexpr double hint_again_s = 30.0;  // the same hint: 10 s, and the time of other words
 inline constexpr int hint_times = 2;          // in a visit; after that it is known

@@ -2,7 +2,7 @@
 
 #include "app/operator/backup.h"
 #include "app/operator/pin_file.h"
-#include "app/operator/site_files.h"
+#include "app/operator/settings_files.h"
 
 #include <utility>
 

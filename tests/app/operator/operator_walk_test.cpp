@@ -1,8 +1,6 @@
 // Tests every screen of the operator: walked in each language, left by few keys, set up from
 // nothing by six keys, and with random keys.
-#include "app/operator/kinds.h"
-#include "app/operator/operator_items.h"
-#include "app/operator/operator_places.h"
+#include "app/operator/operator_menu.h"
 #include "app/operator/pin_file.h"
 #include "app/operator/setting_words.h"
 #include "config/settings/setting_rows.h"

@@ -1,4 +1,4 @@
-#include "app/operator/operator_places.h"
+#include "app/operator/operator_menu.h"
 
 #include <algorithm>
 #include <array>
@@ -69,62 +69,37 @@ constexpr std::array places{
 
 static_assert(places.size() + 1 == operator_place_count);
 
-using A = OperatorAction;
-
-constexpr std::array actions{
-    ActionRow{P::keys, A::learn_keys, "Assign the keys", "You press the key for each role twice."},
-    ActionRow{P::device, A::clear_fault, "Reset the force fault", "Only when all is safe."},
-    ActionRow{P::homing, A::find_home, "Begin", ""},
-    ActionRow{P::self_test, A::run_all_tests, "All steps", "One after the other."},
-    ActionRow{P::cleaning, A::begin_cleaning, "Begin", ""},
-    ActionRow{P::counters, A::zero_counters, "Begin again from zero", ""},
-    ActionRow{P::log, A::export_log, "Copy the log", ""},
-    ActionRow{P::log, A::save_recording, "Save what was felt in the last minute",
-              "The file tells where the hand was. Ask the visitor first."},
-    ActionRow{P::backup, A::back_up, "Copy the settings", ""},
-    ActionRow{P::backup, A::restore, "Bring the settings back from the copy",
-              "They are checked first; wrong ones change nothing."},
-    ActionRow{P::backup, A::first_settings, "Factory settings",
-              "All settings become what they were when the kiosk was new."},
-    ActionRow{P::upkeep, A::new_pin, "Change the PIN", ""},
-    ActionRow{P::close, A::close, "Shut down", ""},
-    ActionRow{P::home, A::leave, "Leave", "The kiosk is open to visitors again."},
+constexpr std::array kinds{
+    KindRow{"2diy-gen3.1", "2diy 3.1, elbows 15 millimetres in front of the motors",
+            "Two motors beside each other, arms of plastic. Measure with the handle pushed away."},
+    KindRow{"2diy-gen3.1-172", "2diy 3.1, elbows 10 millimetres in front of the motors",
+            "Two motors beside each other, arms of plastic. Measure with the handle pushed away."},
+    KindRow{"2diy-gen3.1-180", "2diy 3.1, elbows in line with the motors",
+            "Two motors beside each other, arms of plastic. Measure with the handle pushed away."},
+    KindRow{"2diy-gen3", "2diy 3, the kind before 3.1",
+            "Its programs start with the handle pulled near."},
+    KindRow{"2diy-gen2", "2diy 2, motors on one axis",
+            "Arms of metal. Its programs start at 241 degrees."},
+    KindRow{"2diy-gen2-240", "2diy 2, stopped at 240 degrees",
+            "Arms of metal. Its programs start at 240 degrees and use 10978 counts."},
+    KindRow{"haplet", "Haplet", "Short arms of 50 and 70 millimetres on a plate."},
+    KindRow{"mk2", "Pantograph Mk II", "Built by a laboratory, with its own board."},
+    KindRow{"gen3.1-turning", "2diy with a handle that turns",
+            "It has a third motor at the handle. It is not sold; you build it yourself."},
 };
 
 }  // namespace
 
 const PlaceRow& row_of(OperatorPlace place) {
-    const auto* const found = std::find_if(
-        places.begin(), places.end(), [place](const PlaceRow& row) { return row.place == place; });
-    return *found;
+    return *std::ranges::find(places, place, &PlaceRow::place);
 }
 
 std::span<const PlaceRow> place_rows() {
     return places;
 }
 
-std::span<const ActionRow> action_rows() {
-    return actions;
-}
-
-std::string_view words_of(Question question) {
-    switch (question) {
-        case Question::ceiling:
-            return "Lines may then push harder than before.";
-        case Question::restore:
-            return "The settings of the copy replace those of the kiosk.";
-        case Question::close:
-            return "The program ends, and the screen is empty.";
-        case Question::zero_counters:
-            return "All counts begin again from zero.";
-        case Question::first_settings:
-            return "All that was set is lost.";
-        case Question::file_systems:
-            return "A hostile USB stick may then take the machine over. Allow it for a while only.";
-        case Question::kind:
-            return "The handle is measured anew. What was measured before is lost.";
-    }
-    return {};
+std::span<const KindRow> kind_rows() {
+    return kinds;
 }
 
 }  // namespace touchline
