@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include <fmt/format.h>
-
 namespace touchline {
 
 namespace {
@@ -37,12 +35,6 @@ std::optional<Action> action_of(Key key) {
     const auto* const found = std::ranges::find(table, key, &KeyRow::key);
     if (found == table.end()) return std::nullopt;
     return found->action;
-}
-
-std::string keys_as_markdown() {
-    std::string text = "| key | what it does |\n|---|---|\n";
-    for (const KeyRow& row : table) text += fmt::format("| {} | {} |\n", row.name, row.words);
-    return text;
 }
 
 }  // namespace touchline

@@ -60,11 +60,14 @@ inline constexpr std::array mode_names{"wall", "groove", "ridge", "sticky line"}
 inline constexpr std::array<const char*, held_shape_count> shape_names{"a point", "a disc", "a bar",
                                                                        "an angle", "a key"};
 
-/// "silhouette"; `detail` 1 ... 5.
-[[nodiscard]] std::string_view detail_words(int detail);
-
 [[nodiscard]] std::string words_of(Mode mode);
 [[nodiscard]] std::string words_of(ContactState state);
 [[nodiscard]] std::string words_of(ContactEventKind kind);
+
+/// A few words, like "on" or "waiting until the hand is clear of lines".
+[[nodiscard]] std::string_view words_of(ForceState state);
+
+/// Why the force is reduced; empty if nothing worth a word reduces it.
+[[nodiscard]] std::string_view words_of(Limit limit);
 
 }  // namespace touchline

@@ -298,45 +298,4 @@ std::string staffs_fault(Fault fault, const Language& language) {
                          {language.text("operator", "Reset the force fault")});
 }
 
-std::string_view words_of(ForceState state) {
-    switch (state) {
-        case ForceState::off:
-            return "off";
-        case ForceState::armed:
-            return "waiting until the hand is clear of lines";
-        case ForceState::ramp:
-            return "coming on";
-        case ForceState::live:
-            return "on";
-        case ForceState::fault:
-            return "stopped";
-    }
-    return "";
-}
-
-std::string_view words_of(Limit limit) {
-    switch (limit) {
-        case Limit::heat:
-            return "less: the motors are warm";
-        case Limit::damped:
-            return "damped: it pushed too much";
-        case Limit::pose:
-            return "less: the arms of the device are nearly straight";
-        case Limit::speed:
-            return "only braking: the hand is fast";
-        case Limit::hand:
-            return "fading: nobody seems to hold the handle";
-        case Limit::unreachable:
-            return "none: out of reach";
-        case Limit::none:
-        case Limit::gain:
-        case Limit::slew:
-        case Limit::torque:
-        case Limit::force:
-        case Limit::fault:
-            return "";
-    }
-    return "";
-}
-
 }  // namespace touchline

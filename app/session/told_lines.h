@@ -48,8 +48,6 @@ inline constexpr std::string_view staffs_device_trouble =
 [[nodiscard]] std::string told_of_device(const std::string& line, const Language& language,
                                          ToldTo to = ToldTo::visitor);
 
-// The force, on the panel and by voice.
-
 /// Whole sentences in English for a person who may not see the screen. A visitor has no key that
 /// brings the force back; only the staff can end a fault.
 struct FaultWords {
@@ -68,11 +66,5 @@ struct FaultWords {
 /// The same for the staff: adds what they do, and the item of their menu that ends the fault if it
 /// does not end by itself.
 [[nodiscard]] std::string staffs_fault(Fault fault, const Language& language);
-
-/// A few words, like "on" or "waiting until the hand is clear of lines".
-[[nodiscard]] std::string_view words_of(ForceState state);
-
-/// Why the force is reduced; empty if nothing worth a word reduces it.
-[[nodiscard]] std::string_view words_of(Limit limit);
 
 }  // namespace touchline

@@ -6,26 +6,6 @@
 namespace touchline {
 namespace {
 
-struct RoleWords {
-    const char* name;
-    const char* use;
-    const char* switched_use = nullptr;  // if it is an item and no key; none: the same
-};
-
-// In the order of KeyRole.
-constexpr std::array<RoleWords, key_role_count> roles{{
-    {"Up", "Goes to the item before."},
-    {"Down", "Goes to the next item."},
-    {"Back", "Leaves this screen."},
-    {"Repeat", "Repeats the last words. Press it twice for the whole screen.",
-     "Repeats the last words. Choose it twice for the whole screen."},
-    {"Select", "Chooses the item."},
-    {"Help", "Explains the keys. Press it again to leave.",
-     "Explains the keys. Choose it again to leave."},
-    {"Louder", "Raises the volume."},
-    {"Softer", "Lowers the volume."},
-}};
-
 /// Does what every key does before anything else. True if that was all.
 bool is_taken_at_once(VisitWork& work, bool is_volume = false) {
     Visitor& visitor = work.visitor;
@@ -44,22 +24,8 @@ bool is_taken_at_once(VisitWork& work, bool is_volume = false) {
     return true;
 }
 
-/// In help a key only says what it is.
-void explain(VisitWork& work, KeyRole role) {
-    Visitor& visitor = work.visitor;
-    visitor.helps = role == KeyRole::help ? visitor.helps + 1 : 0;
-    cue(work, ScreenEvent::key_taken);
-    if (visitor.helps < 2) {
-        const RoleWords& row = roles[static_cast<std::size_t>(role)];
-        std::string text = words(work, row.name);
-        const bool is_switched = !has_keys(work.world) && row.switched_use != nullptr;
-        add_sentence(text, words(work, is_switched ? row.switched_use : row.use));
-        return say(work, text);
-    }
-    uncover(work);
-}
-
-void move(VisitWork& work, bool is_down) {
+template <bool is_down>
+void move(VisitWork& work) {
     const auto moved = move_focus(screen_of(work), is_down);
     if (!moved) {
         refuse(work);
@@ -101,42 +67,63 @@ void repeat(VisitWork& work) {
     say(work, spoken_screen(screen_of(work), language_of(work)));
 }
 
-void act(VisitWork& work, KeyRole role) {
-    switch (role) {
-        case KeyRole::up:
-            return move(work, false);
-        case KeyRole::down:
-            return move(work, true);
-        case KeyRole::back:
-            cue(work, ScreenEvent::key_taken);
-            return row_of(open_screen(work)).back(work);
-        case KeyRole::repeat:
-            return repeat(work);
-        case KeyRole::select:
-            return select(work);
-        case KeyRole::help:
-            return open_help(work);
-        case KeyRole::louder:
-            return change_volume(work, +1);
-        case KeyRole::softer:
-            return change_volume(work, -1);
+void go_back(VisitWork& work) {
+    cue(work, ScreenEvent::key_taken);
+    row_of(open_screen(work)).back(work);
+}
+
+struct RoleRow {
+    const char* name;
+    const char* use;
+    VisitAct act;
+    const char* switched_use = nullptr;  // if it is an item and no key; none: the same
+};
+
+// In the order of KeyRole.
+constexpr std::array<RoleRow, key_role_count> roles{{
+    {"Up", "Goes to the item before.", move<false>},
+    {"Down", "Goes to the next item.", move<true>},
+    {"Back", "Leaves this screen.", go_back},
+    {"Repeat", "Repeats the last words. Press it twice for the whole screen.", repeat,
+     "Repeats the last words. Choose it twice for the whole screen."},
+    {"Select", "Chooses the item.", select},
+    {"Help", "Explains the keys. Press it again to leave.", open_help,
+     "Explains the keys. Choose it again to leave."},
+    {"Louder", "Raises the volume.", [](VisitWork& work) { change_volume(work, +1); }},
+    {"Softer", "Lowers the volume.", [](VisitWork& work) { change_volume(work, -1); }},
+}};
+
+/// In help a key only says what it is.
+void explain(VisitWork& work, KeyRole role) {
+    Visitor& visitor = work.visitor;
+    visitor.helps = role == KeyRole::help ? visitor.helps + 1 : 0;
+    cue(work, ScreenEvent::key_taken);
+    if (visitor.helps < 2) {
+        const RoleRow& row = roles[static_cast<std::size_t>(role)];
+        std::string text = words(work, row.name);
+        const bool is_switched = !has_keys(work.world) && row.switched_use != nullptr;
+        add_sentence(text, words(work, is_switched ? row.switched_use : row.use));
+        return say(work, text);
     }
+    uncover(work);
 }
 
 }  // namespace
 
-void press(VisitWork& work, KeyRole role) {
+void take(VisitWork& work, const KeyPressed& key) {
+    const KeyRole role = key.role;
     order(work, Hush{});
     work.visitor.dead_keys = 0;
     if (role != KeyRole::repeat) work.visitor.repeats = 0;
     const bool is_volume = role == KeyRole::louder || role == KeyRole::softer;
     if (is_taken_at_once(work, is_volume)) return;
     if (open_screen(work) == VisitScreen::help) return explain(work, role);
-    act(work, role);
+    roles[static_cast<std::size_t>(role)].act(work);
 }
 
-void press(VisitWork& work, SpeechKey key) {
-    if (key == SpeechKey::repeat) return press(work, KeyRole::repeat);
+void take(VisitWork& work, const SpeechKeyPressed& pressed) {
+    const SpeechKey key = pressed.key;
+    if (key == SpeechKey::repeat) return take(work, KeyPressed{KeyRole::repeat});
     if (key == SpeechKey::pause && is_visit_on(visit_of(work))) {
         // Speech is neither hushed nor stopped: the next press goes on with the same words.
         work.visitor.active_s = work.visitor.key_s = work.site.now_s;
@@ -153,7 +140,7 @@ void press(VisitWork& work, SpeechKey key) {
     change_rate(work, key == SpeechKey::faster ? +1 : -1);
 }
 
-void press_dead_key(VisitWork& work) {
+void take(VisitWork& work, const DeadKeyPressed& /*key*/) {
     order(work, Hush{});
     if (is_taken_at_once(work)) return;
     refuse(work);

@@ -64,7 +64,7 @@ void keep_what_is_touched(VisitWork& work) {
     if (work.visitor.has_touched && keep_whole(work)) tell_things(work);
 }
 
-void follow_handle(VisitWork& work, const HandleSeen& handle) {
+void take(VisitWork& work, const HandleSeen& handle) {
     Visitor& visitor = work.visitor;
     if (handle.part != visitor.handle.part) visitor.part_since_s = work.site.now_s;
     visitor.handle = handle;
@@ -81,11 +81,11 @@ void follow_handle(VisitWork& work, const HandleSeen& handle) {
     name_part(work);
 }
 
-void follow_knob(VisitWork& work, double by_rad) {
+void take(VisitWork& work, const KnobTurned& knob) {
     Visitor& visitor = work.visitor;
-    if (visitor.feel.shape == HeldShape::none || !std::isfinite(by_rad)) return;
+    if (visitor.feel.shape == HeldShape::none || !std::isfinite(knob.by_rad)) return;
     visitor.active_s = work.site.now_s;
-    visitor.feel.turn_rad += by_rad;
+    visitor.feel.turn_rad += knob.by_rad;
 }
 
 }  // namespace touchline

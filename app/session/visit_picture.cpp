@@ -167,7 +167,7 @@ void cancel_loading(VisitWork& work) {
     say_return(work, words(work, "Cancelled."));
 }
 
-void take_ready(VisitWork& work, const PictureReady& ready) {
+void take(VisitWork& work, const PictureReady& ready) {
     Visitor& visitor = work.visitor;
     if (visitor.loading && visitor.loading->order.request == ready.request) {
         const Loading done = *visitor.loading;
@@ -230,7 +230,7 @@ void tell_things(VisitWork& work) {
 
 /// If the hand has found a line, the picture stays: the visitor is told, and can choose the main
 /// thing.
-void take_things(VisitWork& work, const ThingsLookedFor& looked) {
+void take(VisitWork& work, const ThingsLookedFor& looked) {
     Visitor& visitor = work.visitor;
     if (!visitor.felt || visitor.felt->order.request != looked.request) return;
     visitor.felt->facts.place = looked.place;
@@ -253,7 +253,7 @@ void take_things(VisitWork& work, const ThingsLookedFor& looked) {
     load(work, {wanted, LoadReason::main_thing, visitor.felt->facts.title});
 }
 
-void take_failed(VisitWork& work, const PictureFailed& failed) {
+void take(VisitWork& work, const PictureFailed& failed) {
     Visitor& visitor = work.visitor;
     if (!visitor.loading || visitor.loading->order.request != failed.request) return;
     const LoadReason reason = visitor.loading->reason;

@@ -154,10 +154,10 @@ void reset_settings(VisitWork& work) {
     say_return(work, words(work, "All settings are back as they were at the start."));
 }
 
-void follow_settings(VisitWork& work, const Settings& before) {
+void take(VisitWork& work, const SettingsChanged& change) {
     const Settings& now = work.world.settings;
-    if (now.mode != before.mode) work.visitor.feel.mode = static_cast<Mode>(now.mode);
-    if (now.detail == before.detail) return;
+    if (now.mode != change.before.mode) work.visitor.feel.mode = now.mode;
+    if (now.detail == change.before.detail) return;
     work.visitor.detail = now.detail;
     open_unasked(work);
 }

@@ -138,11 +138,11 @@ void ask_for_attention(VisitWork& work) {
 
 }  // namespace
 
-void pass_time(VisitWork& work, double now_s) {
+void take(VisitWork& work, const Tick& tick) {
     Visitor& visitor = work.visitor;
     // Events before the first tick count as happening now.
-    if (work.site.now_s == 0.0) visitor.active_s = visitor.key_s = visitor.entered_s = now_s;
-    work.site.now_s = std::max(work.site.now_s, now_s);
+    if (work.site.now_s == 0.0) visitor.active_s = visitor.key_s = visitor.entered_s = tick.now_s;
+    work.site.now_s = std::max(work.site.now_s, tick.now_s);
     const VisitScreen screen = open_screen(work);
     if (screen == VisitScreen::goodbye && work.site.now_s - work.visitor.entered_s >= goodbye_s) {
         nobody_is_here(work);

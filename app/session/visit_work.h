@@ -111,14 +111,11 @@ void open_again(VisitWork& work, LoadPicture wanted, LoadReason reason);
 /// Opens again what is being opened, or else what is felt, in the current language and detail.
 void open_unasked(VisitWork& work);
 void cancel_loading(VisitWork& work);
-void take_ready(VisitWork& work, const PictureReady& ready);
 void tell_things(VisitWork& work);
 
 /// Cancels the main thing that is being opened unasked: it would replace the picture under the
 /// hand, or under another screen. True if there was one.
 bool keep_whole(VisitWork& work);
-void take_things(VisitWork& work, const ThingsLookedFor& looked);
-void take_failed(VisitWork& work, const PictureFailed& failed);
 
 /// Title, how it is drawn, overview, parts.
 [[nodiscard]] std::string told_picture(const VisitWork& work);
@@ -138,11 +135,6 @@ void lead(VisitWork& work, const Guide& guide, const std::string& announcement);
 /// Called at any key. True if anything was under way.
 bool stop_leading(VisitWork& work);
 
-void follow_handle(VisitWork& work, const HandleSeen& handle);
-
-/// Turns a held shape. Says nothing: the hand feels a knob turn.
-void follow_knob(VisitWork& work, double by_rad);
-
 /// Says the name of the part that the hand rests on.
 void name_part(VisitWork& work);
 
@@ -154,16 +146,23 @@ void change_rate(VisitWork& work, int change);
 /// Goes back to how the visit began, and says so on the screen before.
 void reset_settings(VisitWork& work);
 
-/// Applies the operator's changes to the feel over the visitor's choices: the later change holds.
-void follow_settings(VisitWork& work, const Settings& before);
-
-// Keys (visit_keys.cpp, visit_menu.cpp) and time (visit_time.cpp).
-
-void press(VisitWork& work, KeyRole role);
-void press(VisitWork& work, SpeechKey key);
-void press_dead_key(VisitWork& work);
+/// Does what the item that has the focus says (visit_menu.cpp).
 void select(VisitWork& work);
-void pass_time(VisitWork& work, double now_s);
+
+// What happens, beside what visit.cpp takes itself.
+
+void take(VisitWork& work, const Tick& tick);       // visit_time.cpp
+void take(VisitWork& work, const KeyPressed& key);  // visit_keys.cpp
+void take(VisitWork& work, const SpeechKeyPressed& key);
+void take(VisitWork& work, const DeadKeyPressed& key);
+void take(VisitWork& work, const HandleSeen& handle);  // visit_leading.cpp
+/// Turns a held shape. Says nothing: the hand feels a knob turn.
+void take(VisitWork& work, const KnobTurned& knob);
+void take(VisitWork& work, const PictureReady& ready);  // visit_picture.cpp
+void take(VisitWork& work, const ThingsLookedFor& looked);
+void take(VisitWork& work, const PictureFailed& failed);
+/// Applies the operator's changes to the feel over the visitor's choices: the later change holds.
+void take(VisitWork& work, const SettingsChanged& change);  // visit_settings.cpp
 
 inline constexpr double hint_after_s = 1.5;
 inline constexpr double hint_again_s = 30.0;  // the same hint: 10 s, and the time of other words

@@ -260,6 +260,13 @@ TEST(Status, NumbersHaveTheSignOfTheLanguage) {
     EXPECT_EQ(value_of(status, "Stufe").substr(0, 9), "2,5 von 6");
 }
 
+std::string keys_as_markdown() {
+    std::string text = "| key | what it does |\n|---|---|\n";
+    for (const KeyRow& row : key_table())
+        text += "| " + std::string(row.name) + " | " + std::string(row.words) + " |\n";
+    return text;
+}
+
 TEST(Status, TheReadmeHoldsTheKeyTableAsItIs) {
     std::ifstream file(TOUCHLINE_SOURCE_DIR "/app/session/README.md");
     std::stringstream text;

@@ -1,6 +1,7 @@
 // Tests that every line that can reach a visitor has its own sentence, in every language.
 #include "app/session/told_lines.h"
 
+#include "app/session/status.h"
 #include "tests/audio-cues/words/po_file.h"
 
 #include <algorithm>
