@@ -19,7 +19,7 @@
 
 namespace touchline {
 
-/// Every screen. operator_places.h holds their titles and contents.
+/// Every screen. operator_menu.h holds their titles and contents.
 enum class OperatorPlace : std::uint8_t {
     closed,  // the kiosk belongs to the visitors
     pin,

@@ -43,14 +43,14 @@ std::string told_view(const PagePlace& place, const Language& language) {
 
 }  // namespace
 
-std::string page_words(int page, int page_count, const Language& language) {
+std::string told_page(int page, int page_count, const Language& language) {
     if (page_count <= 1) return {};
     return language.text("page", "Page {0} of {1}",
                          {std::to_string(page), std::to_string(page_count)});
 }
 
 std::string words_of(const PagePlace& place, const Language& language) {
-    std::string text = page_words(place.page, place.page_count, language);
+    std::string text = told_page(place.page, place.page_count, language);
     add_sentence(text, told_view(place, language));
     return text;
 }

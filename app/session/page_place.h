@@ -31,7 +31,7 @@ struct PagePlace {
 inline constexpr int last_view = 1'000'000;
 
 /// "Page 2 of 10"; empty for a single page.
-[[nodiscard]] std::string page_words(int page, int page_count, const Language& language);
+[[nodiscard]] std::string told_page(int page, int page_count, const Language& language);
 
 /// "Page 2 of 10. Picture 1 of 3 on this page"; empty for a document of one page and one picture.
 [[nodiscard]] std::string words_of(const PagePlace& place, const Language& language);

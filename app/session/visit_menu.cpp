@@ -141,7 +141,7 @@ void VisitSheet::list(std::size_t count, const std::function<ListRow(std::size_t
                       const char* hint) {
     const auto wanted = static_cast<std::size_t>(std::max(visitor().path.back().about, 0));
     const ListPage page = page_of(count, wanted);
-    told(page_words(page.number, page.count, language));
+    told(told_page(page.number, page.count, language));
     for (std::size_t i = page.first; i < page.end; ++i) {
         const ListRow shown = row_at(i);
         row(shown.number, shown.name, shown.value);
@@ -177,7 +177,7 @@ const VisitItemRow& setting_row(VisitItem setting) {
 
 SpokenScreen screen_of(const Visit& visit, const VisitWorld& world) {
     const Visitor& visitor = visit.visitor;
-    const Standing& open = visitor.over ? *visitor.over : visitor.path.back();
+    const Standing& open = open_standing(visitor);
     const VisitScreenRow& row = row_of(open.screen);
     VisitSheet sheet{visit, world, language_of(visit, world), {}};
     if (row.title != nullptr) sheet.title(row.title);

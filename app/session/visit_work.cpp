@@ -46,13 +46,15 @@ const Language& language_of(const VisitWork& work) {
 }
 
 VisitScreen open_screen(const Visit& visit) {
-    if (visit.visitor.over) return visit.visitor.over->screen;
-    return visit.visitor.path.back().screen;
+    return open_standing(visit.visitor).screen;
 }
 
 VisitScreen open_screen(const VisitWork& work) {
-    if (work.visitor.over) return work.visitor.over->screen;
-    return work.visitor.path.back().screen;
+    return open_standing(work.visitor).screen;
+}
+
+const Standing& open_standing(const Visitor& visitor) {
+    return visitor.over ? *visitor.over : visitor.path.back();
 }
 
 Standing& open_standing(VisitWork& work) {

@@ -24,6 +24,7 @@ struct VisitWork {
 [[nodiscard]] VisitScreen open_screen(const VisitWork& work);
 
 /// The screen that has the keys.
+[[nodiscard]] const Standing& open_standing(const Visitor& visitor);
 [[nodiscard]] Standing& open_standing(VisitWork& work);
 [[nodiscard]] SpokenScreen screen_of(const VisitWork& work);
 

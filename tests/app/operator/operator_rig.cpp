@@ -1,7 +1,7 @@
 #include "tests/app/operator/operator_rig.h"
 
 #include "app/operator/backup.h"
-#include "app/operator/pin_file.h"
+#include "app/operator/pin.h"
 #include "app/operator/settings_files.h"
 
 #include <utility>

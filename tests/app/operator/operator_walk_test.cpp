@@ -1,7 +1,7 @@
 // Tests every screen of the operator: walked in each language, left by few keys, set up from
 // nothing by six keys, and with random keys.
 #include "app/operator/operator_menu.h"
-#include "app/operator/pin_file.h"
+#include "app/operator/pin.h"
 #include "app/operator/setting_words.h"
 #include "config/settings/setting_rows.h"
 #include "tests/app/operator/operator_rig.h"
