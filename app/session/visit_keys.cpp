@@ -1,7 +1,9 @@
 // What the keys do, the same on every screen.
 #include "app/session/visit_menu.h"
+#include "audio-cues/speech/speech_rate.h"
 
 #include <array>
+#include <string>
 
 namespace touchline {
 namespace {
@@ -70,6 +72,42 @@ void repeat(VisitWork& work) {
 void go_back(VisitWork& work) {
     cue(work, ScreenEvent::key_taken);
     row_of(open_screen(work)).back(work);
+}
+
+/// Goes one step up (1) or down (-1). False: there is none.
+bool is_stepped(std::size_t& step, std::size_t last, int change) {
+    if (change > 0 ? step >= last : step == 0) return false;
+    step = change > 0 ? step + 1 : step - 1;
+    return true;
+}
+
+void change_volume(VisitWork& work, int change) {
+    const Language& language = language_of(work);
+    std::size_t& volume = work.visitor.sound.volume;
+    const std::size_t last = work.world.rules.volume_steps - 1;
+    if (!is_stepped(volume, last, change)) {
+        cue(work, ScreenEvent::list_end);
+        shake(work, HandlePattern::edge);
+        return say(work, language.text("speech", change > 0 ? "This is the loudest."
+                                                            : "This is the softest."));
+    }
+    cue(work, ScreenEvent::key_taken);
+    say(work, language.text("speech", "Volume {0} of {1}",
+                            {std::to_string(volume + 1), std::to_string(last + 1)}));
+}
+
+void change_rate(VisitWork& work, int change) {
+    const Language& language = language_of(work);
+    std::size_t& rate = work.visitor.sound.rate;
+    const std::size_t last = speech_rates_per_minute.size() - 1;
+    if (!is_stepped(rate, last, change)) {
+        cue(work, ScreenEvent::list_end);
+        return say(work, language.text("speech", change > 0 ? "This is the fastest."
+                                                            : "This is the slowest."));
+    }
+    cue(work, ScreenEvent::key_taken);
+    say(work, language.text("speech", "Speaking speed {0} of {1}",
+                            {std::to_string(rate + 1), std::to_string(last + 1)}));
 }
 
 struct RoleRow {

@@ -57,14 +57,20 @@ struct KeptValue {
     void (*choose)(VisitWork&, std::size_t value);
 };
 
+template <auto part, auto member>
+[[nodiscard]] std::size_t kept_value(const Visitor& visitor) {
+    return static_cast<std::size_t>(visitor.*part.*member);
+}
+
+template <auto part, auto member>
+void keep_value(VisitWork& work, std::size_t value) {
+    auto& kept = work.visitor.*part.*member;
+    kept = static_cast<std::remove_reference_t<decltype(kept)>>(value);
+}
+
 /// A setting that is one member of the visitor's sound, look or feel.
 template <auto part, auto member>
-inline constexpr KeptValue kept_in{
-    [](const Visitor& visitor) { return static_cast<std::size_t>(visitor.*part.*member); },
-    [](VisitWork& work, std::size_t value) {
-        auto& kept = work.visitor.*part.*member;
-        kept = static_cast<std::remove_reference_t<decltype(kept)>>(value);
-    }};
+inline constexpr KeptValue kept_in{kept_value<part, member>, keep_value<part, member>};
 
 /// Names in the catalogue, in the order of their enumeration or steps.
 template <std::size_t count>

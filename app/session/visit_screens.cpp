@@ -164,6 +164,17 @@ void write_opening(VisitSheet& sheet) {
 
 // Questions before something is lost.
 
+void reset_settings(VisitWork& work) {
+    const Visitor first = new_visitor(work.site, work.world);
+    const std::size_t language = work.visitor.sound.language;
+    work.visitor.sound = first.sound;
+    work.visitor.sound.language = language;  // or the visitor would understand nothing more
+    work.visitor.look = first.look;
+    work.visitor.feel = first.feel;
+    leave(work);
+    say_return(work, words(work, "All settings are back as they were at the start."));
+}
+
 struct VisitQuestion {
     VisitItem asked;
     const char* title;

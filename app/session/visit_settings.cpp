@@ -1,5 +1,4 @@
-// What a visitor can set for ears and eyes, the page of a setting's values, and what changes a
-// setting without its item.
+// What a visitor can set for ears and eyes, and the page of a setting's values.
 #include "app/session/visit_menu.h"
 #include "audio-cues/speech/speech_rate.h"
 
@@ -87,7 +86,7 @@ constexpr auto settings_items = std::to_array<VisitItemRow>({
      VisitSetting{rate_names, kept_in<&Visitor::sound, &SoundWanted::rate>, true}},
     {S::settings, I::language, "Language",
      VisitSetting{language_names,
-                  {kept_in<&Visitor::sound, &SoundWanted::language>.chosen, choose_language}}},
+                  {kept_value<&Visitor::sound, &SoundWanted::language>, choose_language}}},
     {S::settings, I::sounds, "Sounds",
      VisitSetting{named<amounts>, kept_in<&Visitor::sound, &SoundWanted::amount>}},
     {S::settings, I::mono, "The same in both ears",
@@ -109,49 +108,6 @@ constexpr auto settings_items = std::to_array<VisitItemRow>({
 
 VisitMenu settings_menu() {
     return {settings_screens, settings_items};
-}
-
-void change_volume(VisitWork& work, int change) {
-    const Language& language = language_of(work);
-    std::size_t& volume = work.visitor.sound.volume;
-    const std::size_t last = work.world.rules.volume_steps - 1;
-    const bool is_at_end = change > 0 ? volume >= last : volume == 0;
-    if (is_at_end) {
-        cue(work, ScreenEvent::list_end);
-        shake(work, HandlePattern::edge);
-        return say(work, language.text("speech", change > 0 ? "This is the loudest."
-                                                            : "This is the softest."));
-    }
-    volume = change > 0 ? volume + 1 : volume - 1;
-    cue(work, ScreenEvent::key_taken);
-    say(work, language.text("speech", "Volume {0} of {1}",
-                            {std::to_string(volume + 1), std::to_string(last + 1)}));
-}
-
-void change_rate(VisitWork& work, int change) {
-    const Language& language = language_of(work);
-    std::size_t& rate = work.visitor.sound.rate;
-    const std::size_t last = speech_rates_per_minute.size() - 1;
-    const bool is_at_end = change > 0 ? rate >= last : rate == 0;
-    cue(work, is_at_end ? ScreenEvent::list_end : ScreenEvent::key_taken);
-    if (is_at_end) {
-        return say(work, language.text("speech", change > 0 ? "This is the fastest."
-                                                            : "This is the slowest."));
-    }
-    rate = change > 0 ? rate + 1 : rate - 1;
-    say(work, language.text("speech", "Speaking speed {0} of {1}",
-                            {std::to_string(rate + 1), std::to_string(last + 1)}));
-}
-
-void reset_settings(VisitWork& work) {
-    const Visitor first = new_visitor(work.site, work.world);
-    const std::size_t language = work.visitor.sound.language;
-    work.visitor.sound = first.sound;
-    work.visitor.sound.language = language;  // or the visitor would understand nothing more
-    work.visitor.look = first.look;
-    work.visitor.feel = first.feel;
-    leave(work);
-    say_return(work, words(work, "All settings are back as they were at the start."));
 }
 
 void take(VisitWork& work, const SettingsChanged& change) {

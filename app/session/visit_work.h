@@ -128,7 +128,7 @@ void forget_letters(Visitor& visitor);
 /// Opens the page of the list that has this file, with the focus on it.
 void return_to_file(VisitWork& work, std::size_t row);
 
-// Leading (visit_leading.cpp).
+// Leading (visit_time.cpp).
 
 /// Announces the guide, and begins after the time to hear it (HA-1).
 void lead(VisitWork& work, const Guide& guide, const std::string& announcement);
@@ -136,27 +136,17 @@ void lead(VisitWork& work, const Guide& guide, const std::string& announcement);
 /// Called at any key. True if anything was under way.
 bool stop_leading(VisitWork& work);
 
-/// Says the name of the part that the hand rests on.
-void name_part(VisitWork& work);
-
-// Settings (visit_settings.cpp).
-
-void change_volume(VisitWork& work, int change);
-void change_rate(VisitWork& work, int change);
-
-/// Goes back to how the visit began, and says so on the screen before.
-void reset_settings(VisitWork& work);
+// Keys and events.
 
 /// Does what the item that has the focus says (visit_menu.cpp).
 void select(VisitWork& work);
 
 // What happens, beside what visit.cpp takes itself.
-
 void take(VisitWork& work, const Tick& tick);       // visit_time.cpp
 void take(VisitWork& work, const KeyPressed& key);  // visit_keys.cpp
 void take(VisitWork& work, const SpeechKeyPressed& key);
 void take(VisitWork& work, const DeadKeyPressed& key);
-void take(VisitWork& work, const HandleSeen& handle);  // visit_leading.cpp
+void take(VisitWork& work, const HandleSeen& handle);
 /// Turns a held shape. Says nothing: the hand feels a knob turn.
 void take(VisitWork& work, const KnobTurned& knob);
 void take(VisitWork& work, const PictureReady& ready);  // visit_picture.cpp
@@ -164,19 +154,5 @@ void take(VisitWork& work, const ThingsLookedFor& looked);
 void take(VisitWork& work, const PictureFailed& failed);
 /// Applies the operator's changes to the feel over the visitor's choices: the later change holds.
 void take(VisitWork& work, const SettingsChanged& change);  // visit_settings.cpp
-
-inline constexpr double hint_after_s = 1.5;
-inline constexpr double hint_again_s = 30.0;  // the same hint: 10 s, and the time of other words
-inline constexpr int hint_times = 2;          // in a visit; after that it is known
-inline constexpr double progress_after_s = 0.3;
-inline constexpr double progress_said_after_s = 2.0;
-inline constexpr double progress_said_every_s = 4.5;
-inline constexpr double private_s = 10.0;  // headphones are out; then the kiosk asks
-inline constexpr double goodbye_s = 10.0;
-inline constexpr double practice_s = 60.0;
-inline constexpr double longest_lead_s = 300.0;  // longer leading no longer counts as presence
-inline constexpr double dwell_s = 0.4;
-inline constexpr double quick_m_per_s = 0.08;  // no part is named while the hand is faster
-inline constexpr double attention_every_s = 5.0;
 
 }  // namespace touchline
