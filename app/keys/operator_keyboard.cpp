@@ -21,19 +21,19 @@ struct NamedCode {
     Key key;
 };
 
-constexpr std::array named_codes{NamedCode{KEY_UP, Key::up},
-                                 NamedCode{KEY_DOWN, Key::down},
-                                 NamedCode{KEY_LEFT, Key::left},
-                                 NamedCode{KEY_RIGHT, Key::right},
-                                 NamedCode{KEY_ENTER, Key::enter},
-                                 NamedCode{KEY_KPENTER, Key::enter},
-                                 NamedCode{KEY_ESC, Key::escape},
-                                 NamedCode{KEY_PAGEUP, Key::page_up},
-                                 NamedCode{KEY_PAGEDOWN, Key::page_down},
-                                 NamedCode{KEY_SPACE, Key{' '}},
-                                 NamedCode{KEY_H, Key{'H'}},
-                                 NamedCode{KEY_MINUS, Key{'-'}},
-                                 NamedCode{KEY_EQUAL, Key{'='}}};
+constexpr auto named_codes = std::to_array<NamedCode>({{KEY_UP, Key::up},
+                                                       {KEY_DOWN, Key::down},
+                                                       {KEY_LEFT, Key::left},
+                                                       {KEY_RIGHT, Key::right},
+                                                       {KEY_ENTER, Key::enter},
+                                                       {KEY_KPENTER, Key::enter},
+                                                       {KEY_ESC, Key::escape},
+                                                       {KEY_PAGEUP, Key::page_up},
+                                                       {KEY_PAGEDOWN, Key::page_down},
+                                                       {KEY_SPACE, Key{' '}},
+                                                       {KEY_H, Key{'H'}},
+                                                       {KEY_MINUS, Key{'-'}},
+                                                       {KEY_EQUAL, Key{'='}}});
 
 Key function_key(int number) {
     return Key{static_cast<std::uint32_t>(Key::f1) + static_cast<std::uint32_t>(number - 1)};

@@ -17,13 +17,13 @@ struct CounterRow {
     std::uint64_t Counters::*count;
 };
 
-constexpr std::array counter_rows{
-    CounterRow{"sessions", &Counters::sessions},
-    CounterRow{"gallery_pictures", &Counters::gallery_pictures},
-    CounterRow{"stick_pictures", &Counters::stick_pictures},
-    CounterRow{"camera_pictures", &Counters::camera_pictures},
-    CounterRow{"minutes", &Counters::minutes},
-};
+constexpr auto counter_rows = std::to_array<CounterRow>({
+    {"sessions", &Counters::sessions},
+    {"gallery_pictures", &Counters::gallery_pictures},
+    {"stick_pictures", &Counters::stick_pictures},
+    {"camera_pictures", &Counters::camera_pictures},
+    {"minutes", &Counters::minutes},
+});
 
 std::string_view without_blanks(std::string_view text) {
     const auto begin = text.find_first_not_of(" \t\r");
