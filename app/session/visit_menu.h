@@ -1,5 +1,5 @@
 // The visitor's menu: rows of screens and items, and the engine that draws them, pages them, and
-// does what is chosen. Only for visit_*.cpp.
+// does what is chosen. Only for visit_*.cpp and their tests.
 // Threads: constant data, pure functions, and values of one step.
 #pragma once
 

@@ -107,9 +107,9 @@ void give_hint(VisitWork& work) {
     const bool is_of_languages = open_screen(work) == VisitScreen::language;
     const SpokenScreen screen = screen_of(work);
     std::string hint;
+    // The list is the same, whatever language has the focus.
     if (is_of_languages)
-        hint = work.world.languages.front()
-                   .name();  // the list is the same, whatever language has the focus
+        hint = work.world.languages.front().name();
     else if (screen.focus)
         hint = screen.items[*screen.focus].hint;
     visitor.is_hint_due = false;
