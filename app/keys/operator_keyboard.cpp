@@ -21,19 +21,19 @@ struct NamedCode {
     Key key;
 };
 
-constexpr std::array named_codes{NamedCode{KEY_UP, Key::up},
-                                 NamedCode{KEY_DOWN, Key::down},
-                                 NamedCode{KEY_LEFT, Key::left},
-                                 NamedCode{KEY_RIGHT, Key::right},
-                                 NamedCode{KEY_ENTER, Key::enter},
-                                 NamedCode{KEY_KPENTER, Key::enter},
-                                 NamedCode{KEY_ESC, Key::escape},
-                                 NamedCode{KEY_PAGEUP, Key::page_up},
-                                 NamedCode{KEY_PAGEDOWN, Key::page_down},
-                                 NamedCode{KEY_SPACE, Key{' '}},
-                                 NamedCode{KEY_H, Key{'H'}},
-                                 NamedCode{KEY_MINUS, Key{'-'}},
-                                 NamedCode{KEY_EQUAL, Key{'='}}};
+constexpr auto named_codes = std::to_array<NamedCode>({{KEY_UP, Key::up},
+                                                       {KEY_DOWN, Key::down},
+                                                       {KEY_LEFT, Key::left},
+                                                       {KEY_RIGHT, Key::right},
+                                                       {KEY_ENTER, Key::enter},
+                                                       {KEY_KPENTER, Key::enter},
+                                                       {KEY_ESC, Key::escape},
+                                                       {KEY_PAGEUP, Key::page_up},
+                                                       {KEY_PAGEDOWN, Key::page_down},
+                                                       {KEY_SPACE, Key{' '}},
+                                                       {KEY_H, Key{'H'}},
+                                                       {KEY_MINUS, Key{'-'}},
+                                                       {KEY_EQUAL, Key{'='}}});
 
 Key function_key(int number) {
     return Key{static_cast<std::uint32_t>(Key::f1) + static_cast<std::uint32_t>(number - 1)};
@@ -58,50 +58,30 @@ OperatorKeyboard::OperatorKeyboard(std::string path) : path_(std::move(path)) {
     open_again();
 }
 
-OperatorKeyboard::~OperatorKeyboard() {
-    if (descriptor_ >= 0) close(descriptor_);
-}
-
-OperatorKeyboard::OperatorKeyboard(OperatorKeyboard&& other) noexcept
-    : path_(std::move(other.path_)),
-      descriptor_(std::exchange(other.descriptor_, -1)),
-      error_(other.error_),
-      waited_(other.waited_) {}
-
-OperatorKeyboard& OperatorKeyboard::operator=(OperatorKeyboard&& other) noexcept {
-    std::swap(path_, other.path_);
-    std::swap(descriptor_, other.descriptor_);
-    std::swap(error_, other.error_);
-    std::swap(waited_, other.waited_);
-    return *this;
-}
-
 void OperatorKeyboard::open_again() {
     waited_ = 0;
-    if (path_.empty() || descriptor_ >= 0) return;
-    descriptor_ = open(path_.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-    error_ = descriptor_ < 0 ? errno : 0;
+    if (path_.empty() || descriptor_.is_open()) return;
+    descriptor_ = Descriptor(open(path_.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+    error_ = descriptor_.is_open() ? 0 : errno;
     // Only this program gets its keys. If it cannot be grabbed, it still reports them.
-    if (descriptor_ >= 0) (void)ioctl(descriptor_, EVIOCGRAB, 1);
+    if (descriptor_.is_open()) (void)ioctl(descriptor_.number(), EVIOCGRAB, 1);
 }
 
 std::vector<PhysicalKey> OperatorKeyboard::take_presses() {
     std::vector<PhysicalKey> presses;
-    if (descriptor_ < 0 && ++waited_ >= calls_between_looks) open_again();
-    if (descriptor_ < 0) return presses;
+    if (!descriptor_.is_open() && ++waited_ >= calls_between_looks) open_again();
+    if (!descriptor_.is_open()) return presses;
     input_event event{};
     ssize_t got = 0;
-    while ((got = read(descriptor_, &event, sizeof event)) == ssize_t{sizeof event})
+    while ((got = read(descriptor_.number(), &event, sizeof event)) == ssize_t{sizeof event})
         if (event.type == EV_KEY && event.value == 1) presses.push_back(key_of_code(event.code));
-    if (got == 0 || (got < 0 && errno != EAGAIN && errno != EINTR)) {  // it was pulled out
-        close(descriptor_);
-        descriptor_ = -1;
-    }
+    if (got == 0 || (got < 0 && errno != EAGAIN && errno != EINTR))
+        descriptor_ = Descriptor();  // it was pulled out
     return presses;
 }
 
 std::string OperatorKeyboard::problem() const {
-    if (path_.empty() || descriptor_ >= 0) return {};
+    if (path_.empty() || descriptor_.is_open()) return {};
     return "the operator's keyboard " + path_ + " cannot be read (" + std::strerror(error_) +
            "); nobody can enter until it is plugged in, or another one is set";
 }

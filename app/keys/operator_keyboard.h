@@ -2,6 +2,7 @@
 // name. Threads: one; no call waits.
 #pragma once
 
+#include "app/process/descriptor.h"
 #include "config/settings/keys.h"
 
 #include <optional>
@@ -20,11 +21,6 @@ class OperatorKeyboard {
     OperatorKeyboard() = default;
     /// `path`: below /dev/input; empty: none. A missing device is looked for again.
     explicit OperatorKeyboard(std::string path);
-    ~OperatorKeyboard();
-    OperatorKeyboard(OperatorKeyboard&& other) noexcept;
-    OperatorKeyboard& operator=(OperatorKeyboard&& other) noexcept;
-    OperatorKeyboard(const OperatorKeyboard&) = delete;
-    OperatorKeyboard& operator=(const OperatorKeyboard&) = delete;
 
     /// The keys that went down since the last call, without repeats.
     [[nodiscard]] std::vector<PhysicalKey> take_presses();
@@ -36,7 +32,7 @@ class OperatorKeyboard {
     void open_again();
 
     std::string path_;
-    int descriptor_ = -1;
+    Descriptor descriptor_;
     int error_ = 0;   // errno of the last attempt to open it
     int waited_ = 0;  // calls since the last attempt
 };

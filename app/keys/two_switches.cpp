@@ -1,5 +1,7 @@
 #include "app/keys/two_switches.h"
 
+#include "app/keys/key_wizard.h"
+
 #include <array>
 
 namespace touchline {
@@ -12,15 +14,9 @@ bool is_at_last_item(const SpokenScreen& screen) {
     return screen.items.empty() || (screen.focus && *screen.focus + 1 == screen.items.size());
 }
 
-std::string words_of(KeyRole role, const Language& language) {
-    if (role == KeyRole::repeat) return language.text("keys", "Repeat");
-    if (role == KeyRole::back) return language.text("keys", "Back");
-    return language.text("keys", "Help");
-}
-
 SwitchStep onto_role(SwitchScan scan, KeyRole role, const Language& language) {
     scan.role = role;
-    return {scan, std::nullopt, words_of(role, language)};
+    return {scan, std::nullopt, role_in_words(role, language)};
 }
 
 /// Past the last role: goes to the first item, or to the first role if there are no items.

@@ -1,6 +1,7 @@
 #include "app/operator/backup.h"
 
 #include "app/decode/files.h"
+#include "app/operator/settings_files.h"
 #include "config/settings/settings_text.h"
 
 #include <array>
@@ -75,10 +76,10 @@ Result<void> write_backup(const fs::path& folder, const Backup& backup) {
 
 Result<Backup> read_backup(const fs::path& folder) {
     const std::string file = (folder / backup_name).string();
-    const auto bytes = read_file(file);
-    if (!bytes) return tl::unexpected(bytes.error());
-    if (bytes->size() > most_bytes) return refused(file, "is larger than 4 MB, as no backup is");
-    return parse_backup({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, file);
+    const auto text = read_text(file);
+    if (!text) return tl::unexpected(text.error());
+    if (text->size() > most_bytes) return refused(file, "is larger than 4 MB, as no backup is");
+    return parse_backup(*text, file);
 }
 
 }  // namespace touchline

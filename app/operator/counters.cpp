@@ -17,13 +17,13 @@ struct CounterRow {
     std::uint64_t Counters::*count;
 };
 
-constexpr std::array counter_rows{
-    CounterRow{"sessions", &Counters::sessions},
-    CounterRow{"gallery_pictures", &Counters::gallery_pictures},
-    CounterRow{"stick_pictures", &Counters::stick_pictures},
-    CounterRow{"camera_pictures", &Counters::camera_pictures},
-    CounterRow{"minutes", &Counters::minutes},
-};
+constexpr auto counter_rows = std::to_array<CounterRow>({
+    {"sessions", &Counters::sessions},
+    {"gallery_pictures", &Counters::gallery_pictures},
+    {"stick_pictures", &Counters::stick_pictures},
+    {"camera_pictures", &Counters::camera_pictures},
+    {"minutes", &Counters::minutes},
+});
 
 std::string_view without_blanks(std::string_view text) {
     const auto begin = text.find_first_not_of(" \t\r");
@@ -79,10 +79,8 @@ fs::path counters_file() {
 Result<Counters> read_counters(const fs::path& file) {
     std::error_code error;
     if (!fs::exists(file, error) && !error) return Counters{};
-    const auto bytes = read_file(file.string());
-    if (!bytes) return tl::unexpected(bytes.error());
-    return parse_counters({reinterpret_cast<const char*>(bytes->data()), bytes->size()},
-                          file.string());
+    return read_text(file).and_then(
+        [&file](const std::string& text) { return parse_counters(text, file.string()); });
 }
 
 Result<void> keep_counters(const fs::path& file, const Counters& counters) {

@@ -4,9 +4,9 @@
 
 #include "app/keys/key_wizard.h"
 #include "app/operator/counters.h"
-#include "app/operator/felt_bounds.h"
 #include "app/operator/pin.h"
 #include "app/operator/self_test.h"
+#include "app/operator/setting_words.h"
 #include "app/session/screen_model.h"
 #include "config/settings/keys.h"
 #include "config/settings/settings.h"
@@ -19,7 +19,7 @@
 
 namespace touchline {
 
-/// Every screen. operator_places.h holds their titles and contents.
+/// Every screen. operator_menu.h holds their titles and contents.
 enum class OperatorPlace : std::uint8_t {
     closed,  // the kiosk belongs to the visitors
     pin,

@@ -1,13 +1,35 @@
-#include "app/operator/kinds.h"
-#include "app/operator/operator_places.h"
+// What the operator's actions and questions do.
 #include "app/operator/operator_turn.h"
+
+#include <algorithm>
+#include <array>
 
 namespace touchline {
 namespace {
 
-void begin_wizard(OperatorTurn& turn) {
+template <class Order>
+void give(OperatorTurn& turn) {
+    turn.order(Order{});
+}
+
+template <Question question>
+void ask(OperatorTurn& turn) {
+    turn.ask(question);
+}
+
+void learn_keys(OperatorTurn& turn) {
     turn.state().wizard = start_key_wizard(turn.world.now_s);
     turn.go(OperatorPlace::key_wizard);
+}
+
+void find_home(OperatorTurn& turn) {
+    if (turn.world.kind == std::string()) return turn.go(OperatorPlace::kind);
+    turn.order(FindHome{});
+}
+
+void clear_fault(OperatorTurn& turn) {
+    turn.order(ClearFault{});
+    turn.say(turn.words("The force fault is reset."));
 }
 
 void run_all_tests(OperatorTurn& turn) {
@@ -25,80 +47,81 @@ void begin_cleaning(OperatorTurn& turn) {
     turn.go(OperatorPlace::cleaning_lock);
 }
 
-void carry_out(OperatorTurn& turn, Question question) {
-    switch (question) {
-        case Question::ceiling:
-        case Question::file_systems:
-            return turn.order(WriteSettings{turn.state().settings});
-        case Question::restore:
-            return turn.order(Restore{});
-        case Question::close:
-            return turn.order(CloseKiosk{});
-        case Question::zero_counters:
-            return turn.order(ZeroCounters{});
-        case Question::first_settings:
-            turn.state().settings = Settings{};
-            return turn.order(WriteSettings{Settings{}});
-        case Question::kind:
-            return turn.order(ChooseKind{std::string(kind_rows()[turn.state().kind].profile)});
-    }
+void choose_new_pin(OperatorTurn& turn) {
+    turn.go(OperatorPlace::new_pin);
 }
 
-/// The place where the question came from. A kind that was chosen is measured next.
-OperatorPlace place_after(Question question, bool is_yes) {
-    switch (question) {
-        case Question::ceiling:
-            return OperatorPlace::feel;
-        case Question::restore:
-        case Question::first_settings:
-            return OperatorPlace::backup;
-        case Question::close:
-            return OperatorPlace::close;
-        case Question::zero_counters:
-            return OperatorPlace::counters;
-        case Question::file_systems:
-            return OperatorPlace::sticks;
-        case Question::kind:
-            return is_yes ? OperatorPlace::homing : OperatorPlace::kind;
-    }
-    return OperatorPlace::home;
+void leave(OperatorTurn& turn) {
+    turn.leave();
 }
+
+using P = OperatorPlace;
+using A = OperatorAction;
+using Q = Question;
+
+constexpr auto actions = std::to_array<ActionRow>({
+    {P::keys, A::learn_keys, "Assign the keys", "You press the key for each role twice.",
+     learn_keys},
+    {P::device, A::clear_fault, "Reset the force fault", "Only when all is safe.", clear_fault},
+    {P::homing, A::find_home, "Begin", "", find_home},
+    {P::self_test, A::run_all_tests, "All steps", "One after the other.", run_all_tests},
+    {P::cleaning, A::begin_cleaning, "Begin", "", begin_cleaning},
+    {P::counters, A::zero_counters, "Begin again from zero", "", ask<Q::zero_counters>},
+    {P::log, A::export_log, "Copy the log", "", give<ExportLog>},
+    {P::log, A::save_recording, "Save what was felt in the last minute",
+     "The file tells where the hand was. Ask the visitor first.", give<SaveRecording>},
+    {P::backup, A::back_up, "Copy the settings", "", give<BackUp>},
+    {P::backup, A::restore, "Bring the settings back from the copy",
+     "They are checked first; wrong ones change nothing.", ask<Q::restore>},
+    {P::backup, A::first_settings, "Factory settings",
+     "All settings become what they were when the kiosk was new.", ask<Q::first_settings>},
+    {P::upkeep, A::new_pin, "Change the PIN", "", choose_new_pin},
+    {P::close, A::close, "Shut down", "", ask<Q::close>},
+    {P::home, A::leave, "Leave", "The kiosk is open to visitors again.", leave},
+});
+
+void write_settings(OperatorTurn& turn) {
+    turn.order(WriteSettings{turn.state().settings});
+}
+
+void write_first_settings(OperatorTurn& turn) {
+    turn.state().settings = Settings{};
+    write_settings(turn);
+}
+
+void measure_kind(OperatorTurn& turn) {
+    turn.order(ChooseKind{std::string(kind_rows()[turn.state().kind].profile)});
+}
+
+constexpr auto questions = std::to_array<QuestionRow>({
+    {Q::ceiling, P::feel, "Lines may then push harder than before.", write_settings},
+    {Q::restore, P::backup, "The settings of the copy replace those of the kiosk.", give<Restore>},
+    {Q::close, P::close, "The program ends, and the screen is empty.", give<CloseKiosk>},
+    {Q::zero_counters, P::counters, "All counts begin again from zero.", give<ZeroCounters>},
+    {Q::first_settings, P::backup, "All that was set is lost.", write_first_settings},
+    {Q::file_systems, P::sticks,
+     "A hostile USB stick may then take the machine over. Allow it for a while only.",
+     write_settings},
+    {Q::kind, P::kind, "The handle is measured anew. What was measured before is lost.",
+     measure_kind},
+});
+
+static_assert(questions.size() == question_count);
 
 }  // namespace
 
+std::span<const ActionRow> action_rows() {
+    return actions;
+}
+
+const QuestionRow& row_of(Question question) {
+    return *std::ranges::find(questions, question, &QuestionRow::question);
+}
+
 void do_action(OperatorTurn& turn, std::size_t action) {
-    switch (static_cast<OperatorAction>(action)) {
-        case OperatorAction::learn_keys:
-            return begin_wizard(turn);
-        case OperatorAction::find_home:
-            if (turn.world.kind == std::string()) return turn.go(OperatorPlace::kind);
-            return turn.order(FindHome{});
-        case OperatorAction::clear_fault:
-            turn.order(ClearFault{});
-            return turn.say(turn.words("The force fault is reset."));
-        case OperatorAction::run_all_tests:
-            return run_all_tests(turn);
-        case OperatorAction::begin_cleaning:
-            return begin_cleaning(turn);
-        case OperatorAction::zero_counters:
-            return turn.ask(Question::zero_counters);
-        case OperatorAction::export_log:
-            return turn.order(ExportLog{});
-        case OperatorAction::save_recording:
-            return turn.order(SaveRecording{});
-        case OperatorAction::back_up:
-            return turn.order(BackUp{});
-        case OperatorAction::restore:
-            return turn.ask(Question::restore);
-        case OperatorAction::first_settings:
-            return turn.ask(Question::first_settings);
-        case OperatorAction::new_pin:
-            return turn.go(OperatorPlace::new_pin);
-        case OperatorAction::close:
-            return turn.ask(Question::close);
-        case OperatorAction::leave:
-            return turn.leave();
-    }
+    const auto* const row =
+        std::ranges::find(actions, static_cast<OperatorAction>(action), &ActionRow::action);
+    if (row != actions.end()) row->act(turn);
 }
 
 /// Asks first if a handle was measured before.
@@ -107,20 +130,21 @@ void choose_kind(OperatorTurn& turn, std::size_t kind) {
     if (turn.world.kind == profile) return turn.say(turn.words("It is of this kind already."));
     turn.state().kind = kind;
     if (turn.world.kind != std::string()) return turn.ask(Question::kind);
-    turn.order(ChooseKind{profile});
+    measure_kind(turn);
     turn.go(OperatorPlace::homing);
 }
 
 void answer(OperatorTurn& turn, bool is_yes) {
-    const Question question = turn.state().question;
+    const QuestionRow& asked = row_of(turn.state().question);
     if (is_yes)
-        carry_out(turn, question);
+        asked.yes(turn);
     else
         turn.state().settings = turn.world.settings;
-    const bool tells_later = is_yes && question == Question::restore;  // the result is said later
-    const std::string first =
-        tells_later ? "" : turn.words(is_yes ? "Done." : "Nothing was changed.");
-    turn.go(place_after(question, is_yes), first);
+    const bool tells_later = is_yes && asked.question == Question::restore;
+    // A kind that was chosen is measured next.
+    const bool is_measured = is_yes && asked.question == Question::kind;
+    turn.go(is_measured ? OperatorPlace::homing : asked.place,
+            tells_later ? "" : turn.words(is_yes ? "Done." : "Nothing was changed."));
 }
 
 }  // namespace touchline

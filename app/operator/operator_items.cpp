@@ -1,7 +1,5 @@
-#include "app/operator/operator_items.h"
-
-#include "app/operator/kinds.h"
-#include "app/operator/operator_places.h"
+// What is on each of the operator's screens.
+#include "app/operator/operator_menu.h"
 #include "app/operator/setting_words.h"
 #include "config/settings/setting_rows.h"
 #include "config/settings/setting_texts.h"
@@ -27,8 +25,8 @@ struct List {
 
     void add(OperatorItem item, std::size_t index, ItemRole role, std::string name,
              std::string value = "", std::string hint = "") {
-        const int id = static_cast<int>(item) * ids_an_item + static_cast<int>(index);
-        items.push_back({id, role, std::move(name), std::move(value), std::move(hint)});
+        items.push_back(
+            {id_of({item, index}), role, std::move(name), std::move(value), std::move(hint)});
     }
 
     void add_places() {
@@ -222,11 +220,28 @@ struct List {
     }
 };
 
+std::string own_text(const Operator& state, const OperatorWorld& world) {
+    const auto words = [&](std::string_view english) {
+        return english.empty() ? "" : world.language.text("operator", std::string(english));
+    };
+    std::string text = words(row_of(state.place).text);
+    if (state.place == OperatorPlace::question) text = words(row_of(state.question).text);
+    if (state.place == OperatorPlace::library && world.on_stick.empty())
+        text = words(
+            "Put in a USB stick with packs of pictures. A network file for Touchline can be on it "
+            "too.");
+    return text;
+}
+
 }  // namespace
 
 ItemMeaning meaning_of(const ScreenItem& item) {
     return {static_cast<OperatorItem>(item.id / ids_an_item),
             static_cast<std::size_t>(item.id % ids_an_item)};
+}
+
+int id_of(const ItemMeaning& meaning) {
+    return static_cast<int>(meaning.item) * ids_an_item + static_cast<int>(meaning.index);
 }
 
 std::vector<ScreenItem> operator_items(const Operator& state, const OperatorWorld& world) {
@@ -244,6 +259,23 @@ bool is_set_by_profile(std::size_t row, const Operator& state, const OperatorWor
         if (profile.name == state.settings.profile)
             return std::find(profile.rows.begin(), profile.rows.end(), row) != profile.rows.end();
     return false;
+}
+
+SpokenScreen operator_screen(const Operator& state, const OperatorWorld& world) {
+    SpokenScreen screen;
+    if (state.place == OperatorPlace::key_wizard)
+        screen = wizard_screen(state.wizard, world.language);
+    else if (state.place == OperatorPlace::test_step)
+        screen = test_screen(state.test, world.language);
+    else {
+        screen.title = world.language.text("operator", std::string(row_of(state.place).title));
+        screen.text = own_text(state, world);
+        screen.items = operator_items(state, world);
+        set_focus(screen, state.focus);
+    }
+    add_sentence(screen.text, state.note);
+    if (state.place == OperatorPlace::live) screen.view = ScreenView::picture;
+    return screen;
 }
 
 }  // namespace touchline

@@ -1,4 +1,3 @@
-#include "app/operator/operator_places.h"
 #include "app/operator/operator_turn.h"
 
 #include <algorithm>
@@ -147,7 +146,7 @@ bool is_listed(KeyRole role) {
     return static_cast<std::size_t>(role) < needed_role_count;
 }
 
-void press(OperatorTurn& turn, const KeyStruck& key) {
+void take(OperatorTurn& turn, const KeyStruck& key) {
     Operator& state = turn.state();
     if (state.place == OperatorPlace::closed) return press_closed_key(turn, key);
     if (!key.is_allowed) return;
@@ -186,7 +185,7 @@ void follow_homing(OperatorTurn& turn) {
     turn.say(turn.state().note);
 }
 
-void wait(OperatorTurn& turn) {
+void take(OperatorTurn& turn, const MomentPassed& /*moment*/) {
     Operator& state = turn.state();
     switch (state.place) {
         case OperatorPlace::closed:
@@ -221,30 +220,24 @@ void take_over(OperatorTurn& turn) {
     state.sound = turn.world.sound;
 }
 
-struct Take {
-    OperatorTurn& turn;
+void take(OperatorTurn& turn, const PinChecked& checked) {
+    judge_pin(turn, checked);
+}
 
-    void operator()(const KeyStruck& key) const { press(turn, key); }
+void take(OperatorTurn& turn, const TestAnswered& answer) {
+    const SelfTest& test = turn.state().test;
+    const bool is_awaited = turn.state().place == OperatorPlace::test_step &&
+                            test.phase == TestPhase::running && test.step == answer.step;
+    if (!is_awaited) return;
+    follow_test(turn, test_done(test, answer.step, answer.has_passed, answer.line, turn.world.now_s,
+                                turn.world.language));
+}
 
-    void operator()(const MomentPassed&) const { wait(turn); }
-
-    void operator()(const PinChecked& checked) const { judge_pin(turn, checked); }
-
-    void operator()(const TestAnswered& answer) const {
-        const SelfTest& test = turn.state().test;
-        const bool is_awaited = turn.state().place == OperatorPlace::test_step &&
-                                test.phase == TestPhase::running && test.step == answer.step;
-        if (!is_awaited) return;
-        follow_test(turn, test_done(test, answer.step, answer.has_passed, answer.line,
-                                    turn.world.now_s, turn.world.language));
-    }
-
-    void operator()(const OrderAnswered& answer) const {
-        if (turn.state().place == OperatorPlace::closed) return;
-        turn.state().note = answer.line;
-        turn.say(answer.line);
-    }
-};
+void take(OperatorTurn& turn, const OrderAnswered& answer) {
+    if (turn.state().place == OperatorPlace::closed) return;
+    turn.state().note = answer.line;
+    turn.say(answer.line);
+}
 
 }  // namespace
 
@@ -252,7 +245,7 @@ OperatorStep step_operator(const Operator& state, const OperatorEvent& event,
                            const OperatorWorld& world) {
     OperatorTurn turn{{state, {}}, world};
     take_over(turn);
-    std::visit(Take{turn}, event);
+    std::visit([&turn](const auto& each) { take(turn, each); }, event);
     return std::move(turn.step);
 }
 

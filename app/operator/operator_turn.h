@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/operator/operator.h"
-#include "app/operator/operator_items.h"
+#include "app/operator/operator_menu.h"
 #include "config/settings/setting_rows.h"
 
 #include <string>
@@ -47,15 +47,11 @@ struct OperatorTurn {
         now.is_held = false;
         now.device_words = world.device_words;
         now.note = place == OperatorPlace::homing ? world.device_words : "";
-        const auto items = operator_items(now, world);
         const bool is_after_test = from == OperatorPlace::test_step;
-        const auto item = is_after_test ? OperatorItem::test : OperatorItem::place;
-        const auto index = is_after_test ? static_cast<std::size_t>(now.test.step)
-                                         : static_cast<std::size_t>(from);
-        for (std::size_t i = 0; i < items.size(); ++i) {
-            const ItemMeaning meaning = meaning_of(items[i]);
-            if (meaning.item == item && meaning.index == index) now.focus = i;
-        }
+        const ItemMeaning left =
+            is_after_test ? ItemMeaning{OperatorItem::test, static_cast<std::size_t>(now.test.step)}
+                          : ItemMeaning{OperatorItem::place, static_cast<std::size_t>(from)};
+        now.focus = place_of(operator_items(now, world), id_of(left)).value_or(0);
         const std::string all = spoken_screen(screen(), world.language);
         say(first.empty() ? all : first + ' ' + all);
     }

@@ -1,6 +1,6 @@
 #include "app/operator/profiles.h"
 
-#include "app/decode/files.h"
+#include "app/operator/settings_files.h"
 #include "app/process/places.h"
 #include "config/settings/setting_texts.h"
 #include "config/settings/settings_text.h"
@@ -30,10 +30,9 @@ std::vector<fs::path> files_in(const fs::path& folder, std::vector<std::string>&
 
 /// Checks only ranges; the site's bounds are checked when the profile is used.
 Result<Profile> read_profile(const fs::path& file) {
-    const auto bytes = read_file(file.string());
-    if (!bytes) return tl::unexpected(bytes.error());
-    Profile profile{
-        file.stem().string(), {reinterpret_cast<const char*>(bytes->data()), bytes->size()}, {}};
+    const auto text = read_text(file);
+    if (!text) return tl::unexpected(text.error());
+    Profile profile{file.stem().string(), *text, {}};
     if (profile.name.empty() || !is_allowed(TextKind::name, profile.name))
         return failure(file.string() + ": a profile is named by " +
                        std::string(allowed_texts(TextKind::name)));

@@ -17,12 +17,6 @@ namespace fs = std::filesystem;
 // A power cut leaves an empty file of one that was being written in place.
 constexpr const char* nothing_set = "# Nothing is set: the program's own settings hold.\n";
 
-Result<std::string> text_in(const fs::path& file) {
-    return read_file(file.string()).map([](const std::vector<std::byte>& bytes) {
-        return std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    });
-}
-
 Result<Settings> settings_in(const std::string& text, const fs::path& file) {
     return apply_settings(Settings{}, text, file.string(), SettingLayer::site);
 }
@@ -34,19 +28,28 @@ bool is_there(const fs::path& file) {
 
 /// If the disk takes nothing, only the copy is lost, not the settings.
 void remember(const SettingsFiles& files, const std::string& text) {
-    const auto known = text_in(files.last_good);
+    const auto known = read_text(files.last_good);
     if (known && *known == text) return;
     (void)write_whole_file(files.last_good.string(), text);
 }
 
 KeptSettings fall_back(const SettingsFiles& files, const std::string& why) {
     if (is_there(files.last_good)) {
-        const auto text = text_in(files.last_good);
-        const auto settings = text ? settings_in(*text, files.last_good)
-                                   : Result<Settings>(tl::unexpected(text.error()));
+        const auto settings = read_text(files.last_good).and_then([&](const std::string& text) {
+            return settings_in(text, files.last_good);
+        });
         if (settings) return {*settings, why + "; the settings before hold"};
     }
     return {Settings{}, why + "; the program's own settings hold"};
+}
+
+Result<void> keep(const fs::path& file, const std::string& text) {
+    std::error_code error;
+    fs::create_directories(file.parent_path(), error);
+    if (error)
+        return failure("the folder " + file.parent_path().string() +
+                       " cannot be made: " + error.message());
+    return write_whole_file(file.string(), text);
 }
 
 }  // namespace
@@ -60,7 +63,7 @@ SettingsFiles settings_files() {
 
 KeptSettings read_settings(const SettingsFiles& files) {
     if (!is_there(files.site)) return {};
-    const auto text = text_in(files.site);
+    const auto text = read_text(files.site);
     if (!text) return fall_back(files, text.error().line);
     if (text->empty()) return fall_back(files, files.site.string() + ": is empty, as if cut off");
     const auto settings = settings_in(*text, files.site);
@@ -70,13 +73,44 @@ KeptSettings read_settings(const SettingsFiles& files) {
 }
 
 Result<void> keep_settings(const SettingsFiles& files, const Settings& settings) {
-    std::error_code error;
-    fs::create_directories(files.site.parent_path(), error);
-    if (error)
-        return failure("the folder " + files.site.parent_path().string() +
-                       " cannot be made: " + error.message());
     const std::string text = settings_text(settings, Settings{});
-    return write_whole_file(files.site.string(), text.empty() ? nothing_set : text);
+    return keep(files.site, text.empty() ? nothing_set : text);
+}
+
+fs::path keys_file() {
+    return settings_files().site.parent_path() / "keys.toml";
+}
+
+fs::path site_sound_file() {
+    return user_settings_folder() / "touchline" / "sound.toml";
+}
+
+KeptKeys read_keys(const fs::path& file) {
+    if (!is_there(file)) return {default_keys(), ""};
+    const auto keys = read_text(file).and_then(
+        [&file](const std::string& text) { return parse_keys(text, file.string()); });
+    if (keys) return {*keys, ""};
+    return {default_keys(), keys.error().line + "; the program's own keys hold"};
+}
+
+Result<void> keep_keys(const fs::path& file, const KeyTable& keys) {
+    const std::string text = keys_text(keys);
+    const auto read_back = parse_keys(text, file.string());
+    if (!read_back) return tl::unexpected(read_back.error());
+    return keep(file, text);
+}
+
+Result<void> keep_sound(const fs::path& file, const SoundSettings& sound) {
+    const std::string text = sound_text(sound);
+    const auto read_back = parse_sound(text, file.string());
+    if (!read_back) return tl::unexpected(read_back.error());
+    return keep(file, text);
+}
+
+Result<std::string> read_text(const fs::path& file) {
+    return read_file(file.string()).map([](const std::vector<std::byte>& bytes) {
+        return std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    });
 }
 
 FileWatch::FileWatch(fs::path file) : file_(std::move(file)), seen_(look()) {}

@@ -1,9 +1,11 @@
-// The site's settings file, and its last good copy.
+// The site's settings file and its last good copy, its key table, and its levels of sound.
 // Threads: any, each call by itself; calls wait for the disk. Two that write at once leave one of
 // the two files, whole.
 #pragma once
 
+#include "config/settings/keys.h"
 #include "config/settings/settings.h"
+#include "config/settings/sound.h"
 #include "config/types/result.h"
 
 #include <cstdint>
@@ -33,6 +35,31 @@ struct KeptSettings {
 
 /// Writes the settings that differ from the program's own as the site's file.
 [[nodiscard]] Result<void> keep_settings(const SettingsFiles& files, const Settings& settings);
+
+/// keys.toml beside the site's settings.
+[[nodiscard]] std::filesystem::path keys_file();
+
+/// sound.toml in the user's folder of settings.
+[[nodiscard]] std::filesystem::path site_sound_file();
+
+struct KeptKeys {
+    KeyTable keys;
+    std::string note;  // one line worth telling; may be empty
+};
+
+/// Gives the program's own keys if the file does not exist or cannot be used; the note says so.
+[[nodiscard]] KeptKeys read_keys(const std::filesystem::path& file);
+
+/// Writes whole or not at all. Refuses a table without one of the six roles, for nobody could mend
+/// it.
+[[nodiscard]] Result<void> keep_keys(const std::filesystem::path& file, const KeyTable& keys);
+
+/// Writes whole or not at all. Refuses levels that break the rules of sound.h.
+[[nodiscard]] Result<void> keep_sound(const std::filesystem::path& file,
+                                      const SoundSettings& sound);
+
+/// The bytes of a file as text, at most 256 MiB.
+[[nodiscard]] Result<std::string> read_text(const std::filesystem::path& file);
 
 /// Notices that a file has changed, by its size, its time and its place on the disk.
 class FileWatch {

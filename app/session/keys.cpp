@@ -3,29 +3,26 @@
 #include <algorithm>
 #include <array>
 
-#include <fmt/format.h>
-
 namespace touchline {
 
 namespace {
 
-constexpr std::array table{
-    KeyRow{Key{'A'}, Action::repeat_speech, "A", "say it again; twice: the whole screen"},
-    KeyRow{Key{'Z'}, Action::pause_speech, "Z", "pause, or speak on"},
-    KeyRow{Key{','}, Action::slower_speech, "Comma", "speak slower"},
-    KeyRow{Key{'.'}, Action::faster_speech, "Full stop", "speak faster"},
-    KeyRow{Key{'E'}, Action::emergency_stop, "E", "emergency stop: no force until C"},
-    KeyRow{Key{'C'}, Action::clear_fault, "C", "for the operator: clear what stopped the force"},
-    KeyRow{Key{'R'}, Action::hold_recording, "R",
-           "for the operator: hold the last minute in memory; with the PIN given, save it"},
-    KeyRow{Key{'O'}, Action::home_again, "O",
-           "for the operator: find the handle’s starting point again"},
-    KeyRow{Key{'V'}, Action::toggle_live_view, "V", "live view on or off"},
-    KeyRow{Key{'B'}, Action::toggle_boxes, "B", "error boxes of the curve in it, on or off"},
-    KeyRow{Key::f15, Action::headphones_in, "F15", "keypad: the headphones are in"},
-    KeyRow{Key::f16, Action::headphones_out, "F16", "keypad: the headphones are out"},
-    KeyRow{Key{'Q'}, Action::quit, "Q", "for the operator: quit"},
-};
+constexpr auto table = std::to_array<KeyRow>({
+    {Key{'A'}, Action::repeat_speech, "A", "say it again; twice: the whole screen"},
+    {Key{'Z'}, Action::pause_speech, "Z", "pause, or speak on"},
+    {Key{','}, Action::slower_speech, "Comma", "speak slower"},
+    {Key{'.'}, Action::faster_speech, "Full stop", "speak faster"},
+    {Key{'E'}, Action::emergency_stop, "E", "emergency stop: no force until C"},
+    {Key{'C'}, Action::clear_fault, "C", "for the operator: clear what stopped the force"},
+    {Key{'R'}, Action::hold_recording, "R",
+     "for the operator: hold the last minute in memory; with the PIN given, save it"},
+    {Key{'O'}, Action::home_again, "O", "for the operator: find the handle’s starting point again"},
+    {Key{'V'}, Action::toggle_live_view, "V", "live view on or off"},
+    {Key{'B'}, Action::toggle_boxes, "B", "error boxes of the curve in it, on or off"},
+    {Key::f15, Action::headphones_in, "F15", "keypad: the headphones are in"},
+    {Key::f16, Action::headphones_out, "F16", "keypad: the headphones are out"},
+    {Key{'Q'}, Action::quit, "Q", "for the operator: quit"},
+});
 
 }  // namespace
 
@@ -37,12 +34,6 @@ std::optional<Action> action_of(Key key) {
     const auto* const found = std::ranges::find(table, key, &KeyRow::key);
     if (found == table.end()) return std::nullopt;
     return found->action;
-}
-
-std::string keys_as_markdown() {
-    std::string text = "| key | what it does |\n|---|---|\n";
-    for (const KeyRow& row : table) text += fmt::format("| {} | {} |\n", row.name, row.words);
-    return text;
 }
 
 }  // namespace touchline

@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string>
 #include <string_view>
 
 namespace touchline {
@@ -48,8 +47,5 @@ struct KeyRow {
     return action == Action::clear_fault || action == Action::home_again ||
            action == Action::hold_recording || action == Action::quit;
 }
-
-/// The table as Markdown, for the README; ends with a newline.
-[[nodiscard]] std::string keys_as_markdown();
 
 }  // namespace touchline

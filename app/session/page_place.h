@@ -1,8 +1,11 @@
-// A place in a document: the page, and the part of it that is felt.
-// Threads: a value.
+// A place in a document: the page, the part of it that is felt, and both in words.
+// Threads: a value, and a pure function.
 #pragma once
 
+#include "audio-cues/words/language.h"
+
 #include <cstdint>
+#include <string>
 
 namespace touchline {
 
@@ -26,5 +29,11 @@ struct PagePlace {
 
 /// A view beyond every count, which means the last.
 inline constexpr int last_view = 1'000'000;
+
+/// "Page 2 of 10"; empty for a single page.
+[[nodiscard]] std::string told_page(int page, int page_count, const Language& language);
+
+/// "Page 2 of 10. Picture 1 of 3 on this page"; empty for a document of one page and one picture.
+[[nodiscard]] std::string words_of(const PagePlace& place, const Language& language);
 
 }  // namespace touchline

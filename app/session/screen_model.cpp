@@ -1,5 +1,6 @@
 #include "app/session/screen_model.h"
 
+#include <algorithm>
 #include <string>
 
 namespace touchline {
@@ -24,6 +25,24 @@ void add(std::string& sentence, const std::string& part) {
 }
 
 }  // namespace
+
+void set_focus(SpokenScreen& screen, std::size_t wanted) {
+    screen.focus.reset();
+    if (!screen.items.empty()) screen.focus = std::min(wanted, screen.items.size() - 1);
+}
+
+std::optional<std::size_t> place_of(const std::vector<ScreenItem>& items, int id) {
+    const auto found = std::ranges::find(items, id, &ScreenItem::id);
+    if (found == items.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - items.begin());
+}
+
+ListPage page_of(std::size_t rows, std::size_t wanted) {
+    if (rows == 0) return {};
+    const std::size_t first = std::min(wanted, (rows - 1) / list_page * list_page);
+    return {first, std::min(first + list_page, rows), static_cast<int>(first / list_page + 1),
+            static_cast<int>((rows + list_page - 1) / list_page)};
+}
 
 void add_sentence(std::string& text, const std::string& sentence) {
     if (sentence.empty()) return;

@@ -49,6 +49,25 @@ struct SpokenScreen {
 /// The whole screen, for a person who asks twice: title, text, the item that has the focus.
 [[nodiscard]] std::string spoken_screen(const SpokenScreen& screen, const Language& language);
 
+/// Gives the item the focus, or the last one if there are fewer; none if there are none.
+void set_focus(SpokenScreen& screen, std::size_t wanted);
+
+/// Where the item with this id is; nothing: it is not shown.
+[[nodiscard]] std::optional<std::size_t> place_of(const std::vector<ScreenItem>& items, int id);
+
+/// The rows of a long list that one screen shows: first ... end - 1.
+struct ListPage {
+    std::size_t first = 0;
+    std::size_t end = 0;
+    int number = 1;  // 1 ... count
+    int count = 1;
+};
+
+inline constexpr std::size_t list_page = 10;  // rows
+
+/// The page that begins at row `wanted`, or the last.
+[[nodiscard]] ListPage page_of(std::size_t rows, std::size_t wanted);
+
 /// Appends the sentence, with a full stop before it if there was none. Does nothing for an empty
 /// sentence.
 void add_sentence(std::string& text, const std::string& sentence);

@@ -1,7 +1,7 @@
 #include "app/session/status.h"
 
-#include "app/session/fault_words.h"
-#include "app/session/page_words.h"
+#include "app/session/page_place.h"
+#include "app/session/told_lines.h"
 
 #include <algorithm>
 #include <array>
@@ -12,32 +12,49 @@ namespace touchline {
 
 namespace {
 
+// In the order of their enumerations.
+constexpr std::array reasons{"by speed",
+                             "finer feels the same",
+                             "the finest set",
+                             "the coarsest set",
+                             "the device tells no finer",
+                             "finer than the proxy",
+                             "finer takes too long",
+                             "the coarsest safe"};
+constexpr std::array contacts{"free", "on a line", "at a corner"};
+constexpr std::array events{"touched a line", "left the line",       "passed a corner",
+                            "crossed a line", "end of the line",     "another level",
+                            "another line",   "back in the picture", "edge of the picture",
+                            "pushed through"};
+constexpr std::array<const char*, force_state_count> states{
+    "off", "waiting until the hand is clear of lines", "coming on", "on", "stopped"};
+constexpr std::array<const char*, limit_count> limits{
+    "",
+    "",
+    "",
+    "",
+    "",
+    "less: the motors are warm",
+    "damped: it pushed too much",
+    "less: the arms of the device are nearly straight",
+    "only braking: the hand is fast",
+    "fading: nobody seems to hold the handle",
+    "none: out of reach",
+    ""};
+
+/// The name of an enumerator; empty for a number that is none.
+template <class Enumerator, std::size_t count>
+const char* name_in(const std::array<const char*, count>& names, Enumerator enumerator) {
+    const auto at = static_cast<std::size_t>(enumerator);
+    return at < count ? names[at] : "";
+}
+
 std::string detail_text(int detail, const Language& language) {
     return language.text(
         "panel", "{0} of {1}, {2}",
-        {std::to_string(detail), "5", language.text("detail", std::string(detail_words(detail)))});
-}
-
-std::string reason_words(LevelTerm term) {
-    switch (term) {
-        case LevelTerm::speed:
-            return "by speed";
-        case LevelTerm::percept:
-            return "finer feels the same";
-        case LevelTerm::finest:
-            return "the finest set";
-        case LevelTerm::coarsest:
-            return "the coarsest set";
-        case LevelTerm::encoder:
-            return "the device tells no finer";
-        case LevelTerm::radius:
-            return "finer than the proxy";
-        case LevelTerm::cost:
-            return "finer takes too long";
-        case LevelTerm::safe:
-            return "the coarsest safe";
-    }
-    return {};
+        {std::to_string(detail), "5",
+         language.text("detail",
+                       detail_names[static_cast<std::size_t>(std::clamp(detail, 1, 5) - 1)])});
 }
 
 /// A level, or one of its bounds, rounded to a tenth.
@@ -51,9 +68,10 @@ std::string level_number(double level, const Language& language) {
 std::string level_words(int coarsest_level, const HandState& hand, const Language& language) {
     const LevelChoice wanted = choose_level(hand.level_terms);
     const bool is_fixed = !hand.is_level_auto && wanted.level == hand.level_terms.coarsest;
-    return language.text("panel", "{0} of {1}, {2}",
-                         {level_number(hand.level, language), std::to_string(coarsest_level),
-                          language.text("level", is_fixed ? "fixed" : reason_words(wanted.by))});
+    return language.text(
+        "panel", "{0} of {1}, {2}",
+        {level_number(hand.level, language), std::to_string(coarsest_level),
+         language.text("level", is_fixed ? "fixed" : name_in(reasons, wanted.by))});
 }
 
 /// All terms of the level, for the operator.
@@ -100,60 +118,24 @@ std::string mode_words(const HandState& hand, bool has_pop_through, const Langua
 
 }  // namespace
 
-std::string_view detail_words(int detail) {
-    return detail_names[static_cast<std::size_t>(std::clamp(detail, 1, 5) - 1)];
-}
-
 std::string words_of(Mode mode) {
-    switch (mode) {
-        case Mode::wall:
-            return "wall";
-        case Mode::groove:
-            return "groove";
-        case Mode::ridge:
-            return "ridge";
-        case Mode::stay:
-            return "sticky line";
-    }
-    return {};
+    return name_in(mode_names, mode);
 }
 
 std::string words_of(ContactState state) {
-    switch (state) {
-        case ContactState::free:
-            return "free";
-        case ContactState::edge:
-            return "on a line";
-        case ContactState::vertex:
-            return "at a corner";
-    }
-    return {};
+    return name_in(contacts, state);
 }
 
 std::string words_of(ContactEventKind kind) {
-    switch (kind) {
-        case ContactEventKind::contact_made:
-            return "touched a line";
-        case ContactEventKind::contact_lost:
-            return "left the line";
-        case ContactEventKind::vertex_passed:
-            return "passed a corner";
-        case ContactEventKind::line_crossed:
-            return "crossed a line";
-        case ContactEventKind::end_reached:
-            return "end of the line";
-        case ContactEventKind::level_changed:
-            return "another level";
-        case ContactEventKind::outline_changed:
-            return "another line";
-        case ContactEventKind::area_entered:
-            return "back in the picture";
-        case ContactEventKind::area_left:
-            return "edge of the picture";
-        case ContactEventKind::popped_through:
-            return "pushed through";
-    }
-    return {};
+    return name_in(events, kind);
+}
+
+std::string_view words_of(ForceState state) {
+    return name_in(states, state);
+}
+
+std::string_view words_of(Limit limit) {
+    return name_in(limits, limit);
 }
 
 Status describe(const LiveFacts& facts, const HandState& hand, const ForceStatus& force,

@@ -51,18 +51,23 @@ struct LiveFacts {
 [[nodiscard]] Status describe(const LiveFacts& facts, const HandState& hand,
                               const ForceStatus& force, const Language& language);
 
-// English texts of the catalogue, contexts "detail", "shape", "mode", "contact" and "event".
+// English texts of the catalogue, contexts "detail", "mode", "shape", "contact" and "event"; names
+// in the order of their enumerations.
 
 inline constexpr std::array detail_names{"silhouette", "main parts", "parts", "fine parts",
                                          "everything"};
+inline constexpr std::array mode_names{"wall", "groove", "ridge", "sticky line"};
 inline constexpr std::array<const char*, held_shape_count> shape_names{"a point", "a disc", "a bar",
                                                                        "an angle", "a key"};
-
-/// "silhouette"; `detail` 1 ... 5.
-[[nodiscard]] std::string_view detail_words(int detail);
 
 [[nodiscard]] std::string words_of(Mode mode);
 [[nodiscard]] std::string words_of(ContactState state);
 [[nodiscard]] std::string words_of(ContactEventKind kind);
+
+/// A few words, like "on" or "waiting until the hand is clear of lines".
+[[nodiscard]] std::string_view words_of(ForceState state);
+
+/// Why the force is reduced; empty if nothing worth a word reduces it.
+[[nodiscard]] std::string_view words_of(Limit limit);
 
 }  // namespace touchline

@@ -1,7 +1,10 @@
 #include "app/session/told_lines.h"
 
+#include "haptics/safety/safety_state.h"
+
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 
 namespace touchline {
 namespace {
@@ -50,127 +53,119 @@ constexpr std::array<std::string_view, 11> whole_sentences{
     "The USB stick is locked with a password. Bring one without.",
     "The USB stick’s format is not read here. Bring one formatted as FAT or exFAT."};
 
-constexpr std::array rows_of_files{
+constexpr auto rows_of_files = std::to_array<LineRow>({
     // Documents and pictures, by their readers.
-    LineRow{"locked with a password", "The PDF is locked with a password. Save it without one."},
-    LineRow{"is an office document",
-            "Office files cannot be felt. Please bring the file as a PDF."},
-    LineRow{"Office files cannot be felt",
-            "Office files cannot be felt. Please bring the file as a PDF."},
-    LineRow{"is an archive of other files",
-            "This file holds others, packed together. Unpack them on your computer first."},
-    LineRow{"is no picture that is known here",
-            "This file is no picture that can be felt. Bring a PNG, JPEG or PDF."},
-    LineRow{"nothing is painted", "Nothing is drawn in this picture. Choose another one."},
-    LineRow{"it has no page", "The PDF has no page. Choose another file."},
-    LineRow{"is cut short or damaged", damaged},
-    LineRow{"the file is empty", "The file is empty. Copy it again, or choose another one."},
-    LineRow{"the map is empty", "The file is empty. Copy it again, or choose another one."},
-    LineRow{"more than * megapixels",
-            "The picture is too large. Save it smaller and bring it again."},
-    LineRow{"is larger than * MiB", too_large},
-    LineRow{"too large when unpacked", too_large},
-    LineRow{"in one piece that is too large", unfit_tiff},
-    LineRow{"is of a kind that cannot be shown", unfit_tiff},
-    LineRow{"needs too much memory", too_much_memory},
-    LineRow{"not enough memory", too_much_memory},
-    LineRow{"the WebP picture moves", "This picture moves. Save one frame of it as a PNG."},
-    LineRow{"repeats its parts too often",
-            "This SVG repeats its parts too often. Save it as a PNG."},
-    LineRow{"cannot be drawn (", "The file cannot be drawn. Save it as a PNG."},
-    LineRow{"is no SVG", damaged_svg},
-    LineRow{"but no SVG", damaged_svg},
-    LineRow{"is no XML", damaged_svg},
-    LineRow{"write viewBox", "The SVG does not say its size. Save it as a PNG."},
-    LineRow{"choose one of them", no_such_page},
-    LineRow{"one page only", no_such_page},
-    LineRow{"this page could not be opened", no_such_page},
+    {"locked with a password", "The PDF is locked with a password. Save it without one."},
+    {"is an office document", "Office files cannot be felt. Please bring the file as a PDF."},
+    {"Office files cannot be felt", "Office files cannot be felt. Please bring the file as a PDF."},
+    {"is an archive of other files",
+     "This file holds others, packed together. Unpack them on your computer first."},
+    {"is no picture that is known here",
+     "This file is no picture that can be felt. Bring a PNG, JPEG or PDF."},
+    {"nothing is painted", "Nothing is drawn in this picture. Choose another one."},
+    {"it has no page", "The PDF has no page. Choose another file."},
+    {"is cut short or damaged", damaged},
+    {"the file is empty", "The file is empty. Copy it again, or choose another one."},
+    {"the map is empty", "The file is empty. Copy it again, or choose another one."},
+    {"more than * megapixels", "The picture is too large. Save it smaller and bring it again."},
+    {"is larger than * MiB", too_large},
+    {"too large when unpacked", too_large},
+    {"in one piece that is too large", unfit_tiff},
+    {"is of a kind that cannot be shown", unfit_tiff},
+    {"needs too much memory", too_much_memory},
+    {"not enough memory", too_much_memory},
+    {"the WebP picture moves", "This picture moves. Save one frame of it as a PNG."},
+    {"repeats its parts too often", "This SVG repeats its parts too often. Save it as a PNG."},
+    {"cannot be drawn (", "The file cannot be drawn. Save it as a PNG."},
+    {"is no SVG", damaged_svg},
+    {"but no SVG", damaged_svg},
+    {"is no XML", damaged_svg},
+    {"write viewBox", "The SVG does not say its size. Save it as a PNG."},
+    {"choose one of them", no_such_page},
+    {"one page only", no_such_page},
+    {"this page could not be opened", no_such_page},
     // Maps.
-    LineRow{"the map cannot be handed over", too_rich},
-    LineRow{"the map holds no outline", "There is no line in this picture. Choose another one."},
-    LineRow{"the map", damaged_map},
-    LineRow{"the curves would have", too_rich},
+    {"the map cannot be handed over", too_rich},
+    {"the map holds no outline", "There is no line in this picture. Choose another one."},
+    {"the map", damaged_map},
+    {"the curves would have", too_rich},
     // Workers.
-    LineRow{"takes too long to open",
-            "The file takes too long to open. Save it smaller or simpler."},
-    LineRow{"finding its outlines takes too long",
-            "Finding the lines takes too long. Choose a simpler picture."},
-    LineRow{"cannot be started safely here", part_missing, staffs_part_missing},
-    LineRow{"a part of Touchline is missing", part_missing, staffs_part_missing},
-    LineRow{"is of another version", part_missing, staffs_part_missing},
-    LineRow{"damaged or harmful", not_safe},
-    LineRow{"could not be opened safely", not_safe},
-    LineRow{"could not be found safely", lines_not_safe},
-    LineRow{"found before are damaged", lines_not_safe},
-    LineRow{"parts do not fit together", lines_not_safe},
-    LineRow{"to find lines in", lines_not_safe},
-    LineRow{"no such step", lines_not_safe},
+    {"takes too long to open", "The file takes too long to open. Save it smaller or simpler."},
+    {"finding its outlines takes too long",
+     "Finding the lines takes too long. Choose a simpler picture."},
+    {"cannot be started safely here", part_missing, staffs_part_missing},
+    {"a part of Touchline is missing", part_missing, staffs_part_missing},
+    {"is of another version", part_missing, staffs_part_missing},
+    {"damaged or harmful", not_safe},
+    {"could not be opened safely", not_safe},
+    {"could not be found safely", lines_not_safe},
+    {"found before are damaged", lines_not_safe},
+    {"parts do not fit together", lines_not_safe},
+    {"to find lines in", lines_not_safe},
+    {"no such step", lines_not_safe},
     // Lines.
-    LineRow{"none in this part", no_line_in_part},
-    LineRow{"no line in this part", no_line_in_part},
-    LineRow{"no outline is shown at detail",
-            "There is no line at this detail. Choose more detail."},
-    LineRow{"the picture is only", "The picture is too small to be felt. Bring a larger one."},
-    LineRow{"flat to be felt", "The picture is too flat to be felt. Bring a higher one."},
-    LineRow{"narrow to be felt", "The picture is too narrow to be felt. Bring a wider one."},
-    LineRow{"too small for a finger",
-            "All in the picture is too small for a finger. Choose a closer picture."},
-    LineRow{"stands out from its background",
-            "Nothing in the picture stands out. Choose one with more contrast."},
-    LineRow{"the picture has no pixels", damaged},
-    LineRow{"was not foreseen", unfit_kind},
-    LineRow{"neither 8-bit colour", unfit_kind},
-    LineRow{"the middle of the zoom is no place", no_line_in_part},
-    LineRow{"stands out from its grain",
-            "Nothing in the picture stands out clearly. Only the strongest lines are kept."},
-    LineRow{"more than can be felt; only", crowded_picture},
+    {"none in this part", no_line_in_part},
+    {"no line in this part", no_line_in_part},
+    {"no outline is shown at detail", "There is no line at this detail. Choose more detail."},
+    {"the picture is only", "The picture is too small to be felt. Bring a larger one."},
+    {"flat to be felt", "The picture is too flat to be felt. Bring a higher one."},
+    {"narrow to be felt", "The picture is too narrow to be felt. Bring a wider one."},
+    {"too small for a finger",
+     "All in the picture is too small for a finger. Choose a closer picture."},
+    {"stands out from its background",
+     "Nothing in the picture stands out. Choose one with more contrast."},
+    {"the picture has no pixels", damaged},
+    {"was not foreseen", unfit_kind},
+    {"neither 8-bit colour", unfit_kind},
+    {"the middle of the zoom is no place", no_line_in_part},
+    {"stands out from its grain",
+     "Nothing in the picture stands out clearly. Only the strongest lines are kept."},
+    {"more than can be felt; only", crowded_picture},
     // The camera.
-    LineRow{"the camera's picture cannot be used", "The photo cannot be used. Take another one."},
-    LineRow{"the camera's frame is damaged", "The photo cannot be used. Take another one."},
+    {"the camera's picture cannot be used", "The photo cannot be used. Take another one."},
+    {"the camera's frame is damaged", "The photo cannot be used. Take another one."},
     // Sticks and their files.
-    LineRow{"was pulled out or is damaged",
-            "The USB stick was pulled out or is damaged. Put it in again, or try another one."},
-    LineRow{"was pulled out", pulled_out},
-    LineRow{"no longer on the stick",
-            "The file is no longer on the USB stick. Choose another one."},
-    LineRow{"only a link or a device", "This is only a link. Choose the picture itself."},
-    LineRow{"is too large; save it smaller", too_large},
-    LineRow{"is empty; copy it to the stick",
-            "The file is empty. Copy it again, or choose another one."},
-    LineRow{"is locked for the user who saved it",
-            "Only the person who saved this may open it. Copy it to another USB stick."},
-    LineRow{"takes too long to read",
-            "Reading takes too long. Put the USB stick in again, or try another one."},
-    LineRow{"cannot be read; put it in again", stick_trouble},
-    LineRow{"list of the stick's files cannot be understood", stick_trouble},
+    {"was pulled out or is damaged",
+     "The USB stick was pulled out or is damaged. Put it in again, or try another one."},
+    {"was pulled out", pulled_out},
+    {"no longer on the stick", "The file is no longer on the USB stick. Choose another one."},
+    {"only a link or a device", "This is only a link. Choose the picture itself."},
+    {"is too large; save it smaller", too_large},
+    {"is empty; copy it to the stick", "The file is empty. Copy it again, or choose another one."},
+    {"is locked for the user who saved it",
+     "Only the person who saved this may open it. Copy it to another USB stick."},
+    {"takes too long to read",
+     "Reading takes too long. Put the USB stick in again, or try another one."},
+    {"cannot be read; put it in again", stick_trouble},
+    {"list of the stick's files cannot be understood", stick_trouble},
     // What should not happen.
-    LineRow{"there is no memory to share", too_much_memory},
-    LineRow{"shared memory cannot be mapped", too_much_memory},
-    LineRow{"memory cannot be sealed", too_much_memory},
-    LineRow{"no sealed memory", unreadable_file, staffs_unreadable_file},
-    LineRow{"no shared memory of a fixed size", unreadable_file, staffs_unreadable_file},
-    LineRow{"cannot be opened", unreadable_file, staffs_unreadable_file},
-    LineRow{"cannot be read", unreadable_file, staffs_unreadable_file},
-};
+    {"there is no memory to share", too_much_memory},
+    {"shared memory cannot be mapped", too_much_memory},
+    {"memory cannot be sealed", too_much_memory},
+    {"no sealed memory", unreadable_file, staffs_unreadable_file},
+    {"no shared memory of a fixed size", unreadable_file, staffs_unreadable_file},
+    {"cannot be opened", unreadable_file, staffs_unreadable_file},
+    {"cannot be read", unreadable_file, staffs_unreadable_file},
+});
 
-constexpr std::array rows_of_devices{
-    LineRow{"unplugged or gave up", unplugged, staffs_unplugged},
-    LineRow{"the board was unplugged", unplugged, staffs_unplugged},
-    LineRow{"is no longer plugged in", unplugged, staffs_unplugged},
-    LineRow{"no board is plugged in", unplugged, staffs_unplugged},
-    LineRow{"no pantograph's board is plugged in", unplugged, staffs_unplugged},
-    LineRow{"kind of this handle is not chosen", "This handle is new. Please call the staff.",
-            "This handle is new. Choose its kind, under Handle and tests."},
-    LineRow{"it took too long", "That took too long. Please call the staff.",
-            "That took too long. Find the handle’s starting point again."},
-    LineRow{"has lost its place",
-            "The handle has lost its place. The voice will tell you where to move it."},
-    LineRow{"does not answer", "The handle does not answer. Please call the staff.",
-            "The handle does not answer. Unplug its cable, then plug it in again."},
-    LineRow{"did not confirm zero torque",
-            "Let go of the handle. Its motors may still push. Please call the staff.",
-            "Let go of the handle. Its motors may still push. Turn off their power."},
-};
+constexpr auto rows_of_devices = std::to_array<LineRow>({
+    {"unplugged or gave up", unplugged, staffs_unplugged},
+    {"the board was unplugged", unplugged, staffs_unplugged},
+    {"is no longer plugged in", unplugged, staffs_unplugged},
+    {"no board is plugged in", unplugged, staffs_unplugged},
+    {"no pantograph's board is plugged in", unplugged, staffs_unplugged},
+    {"kind of this handle is not chosen", "This handle is new. Please call the staff.",
+     "This handle is new. Choose its kind, under Handle and tests."},
+    {"it took too long", "That took too long. Please call the staff.",
+     "That took too long. Find the handle’s starting point again."},
+    {"has lost its place",
+     "The handle has lost its place. The voice will tell you where to move it."},
+    {"does not answer", "The handle does not answer. Please call the staff.",
+     "The handle does not answer. Unplug its cable, then plug it in again."},
+    {"did not confirm zero torque",
+     "Let go of the handle. Its motors may still push. Please call the staff.",
+     "Let go of the handle. Its motors may still push. Turn off their power."},
+});
 
 /// True if the line holds all texts between the stars, in their order.
 bool holds(std::string_view line, std::string_view part) {
@@ -209,6 +204,38 @@ std::string told_sentence(const std::string& sentence, const Language& language)
     return filled == sentence ? "" : filled;
 }
 
+constexpr std::string_view call_the_staff = "Please call the staff.";
+constexpr std::string_view hold_still = "Hold it still. The force comes back by itself.";
+constexpr std::string_view hold_firmly = "Hold it firmly and choose softer lines.";
+
+// In the order of Fault.
+constexpr std::array<FaultWords, fault_count> faults{{
+    {},
+    {"The handle does not answer.", call_the_staff,
+     "Check its cable. The voice then tells you where to move the handle."},
+    {"The handle moved too fast.", hold_still, hold_still},
+    {"The handle pushed harder than it should.", "Hold the handle and call the staff.",
+     "Hold the handle."},
+    {"The handle kept shaking.", "Hold it firmly and choose softer lines. Then call the staff.",
+     "Hold it firmly and choose softer lines."},
+    {"Nobody seems to hold the handle. Its ball may have come off.", call_the_staff,
+     "Put the ball on and hold it."},
+    {"The handle’s position jumped.", call_the_staff,
+     "Check the arms of the device and its cable."},
+    {"The device or the program reported an impossible number.", call_the_staff,
+     "Copy the log for whoever maintains the kiosk."},
+    {"The emergency stop was pressed.", call_the_staff, "Make sure that all is safe."},
+}};
+
+std::string told(std::initializer_list<std::string_view> sentences, const Language& language) {
+    std::string text;
+    for (const std::string_view sentence : sentences) {
+        if (!text.empty()) text += ' ';
+        text += language.text("fault", std::string(sentence));
+    }
+    return text;
+}
+
 }  // namespace
 
 std::span<const LineRow> file_lines() {
@@ -240,6 +267,27 @@ std::string told_of_device(const std::string& line, const Language& language, To
         at = stop + 2;
     }
     return said.empty() ? language.text("trouble", std::string(general)) : said;
+}
+
+FaultWords words_of(Fault fault) {
+    return faults[static_cast<std::size_t>(fault)];
+}
+
+std::string spoken_fault(Fault fault, const Language& language) {
+    if (fault == Fault::none) return {};
+    const FaultWords words = words_of(fault);
+    return told({"The force is off.", words.why, words.visitor_does}, language);
+}
+
+std::string staffs_fault(Fault fault, const Language& language) {
+    if (fault == Fault::none) return {};
+    const FaultWords words = words_of(fault);
+    const std::string text = told({"The force is off.", words.why, words.staff_does}, language);
+    const FaultRule& rule = fault_rules()[static_cast<std::size_t>(fault) - 1];
+    if (rule.clears == FaultClears::when_gone) return text;
+    return text + ' ' +
+           language.text("fault", "Then choose: {0}.",
+                         {language.text("operator", "Reset the force fault")});
 }
 
 }  // namespace touchline

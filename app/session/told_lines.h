@@ -1,10 +1,11 @@
-// Rewords English lines of other parts of the kiosk (a Result's, the servo's) for the visitor or
-// the staff: in their language, without names of a format's parts and numbers of bytes, and with
-// something that can be done here. Every text is in the catalogue, context "trouble"; the device's
-// sentences are in "device". Threads: constant data and pure functions.
+// What went wrong, as visitors and staff hear it. Rewords English lines of other parts of the kiosk
+// (a Result's, the servo's): in their language, without names of a format's parts and numbers of
+// bytes, and with something that can be done here. Every text is in the catalogue, context
+// "trouble"; the device's sentences are in "device". Threads: constant data and pure functions.
 #pragma once
 
 #include "audio-cues/words/language.h"
+#include "config/types/force_status.h"
 
 #include <cstdint>
 #include <span>
@@ -46,5 +47,24 @@ inline constexpr std::string_view staffs_device_trouble =
 /// numbers; or why there is no force. Empty for an empty line.
 [[nodiscard]] std::string told_of_device(const std::string& line, const Language& language,
                                          ToldTo to = ToldTo::visitor);
+
+/// Whole sentences in English for a person who may not see the screen. A visitor has no key that
+/// brings the force back; only the staff can end a fault.
+struct FaultWords {
+    std::string_view why;
+    std::string_view visitor_does;
+    std::string_view staff_does;
+};
+
+/// Returns the words of any fault but none.
+[[nodiscard]] FaultWords words_of(Fault fault);
+
+/// Says that the force is off, why, what the visitor can do, and that exploring goes on. Empty for
+/// none.
+[[nodiscard]] std::string spoken_fault(Fault fault, const Language& language);
+
+/// The same for the staff: adds what they do, and the item of their menu that ends the fault if it
+/// does not end by itself.
+[[nodiscard]] std::string staffs_fault(Fault fault, const Language& language);
 
 }  // namespace touchline

@@ -3,6 +3,8 @@
 #include "app/session/visit_work.h"
 #include "app/sticks/spoken_forms.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace touchline {
@@ -18,7 +20,14 @@ void leave_letters(VisitWork& work) {
     if (work.visitor.path.back().screen == VisitScreen::letters) leave(work);
 }
 
-void stick_came(VisitWork& work, const StickCame& came) {
+void take(VisitWork& work, const StickArriving& /*stick*/) {
+    work.visitor.has_stick = true;
+    work.visitor.stick_list.reset();
+    leave_letters(work);
+    if (open_screen(work) == VisitScreen::stick) say(work, screen_of(work).text);
+}
+
+void take(VisitWork& work, const StickCame& came) {
     Visitor& visitor = work.visitor;
     visitor.has_stick = true;
     visitor.stick_list = std::make_shared<const StickList>(
@@ -36,7 +45,7 @@ void stick_came(VisitWork& work, const StickCame& came) {
         SpeechPriority::hint);
 }
 
-void stick_gone(VisitWork& work, const StickGone& gone) {
+void take(VisitWork& work, const StickGone& gone) {
     Visitor& visitor = work.visitor;
     const bool had_stick = visitor.has_stick;
     visitor.has_stick = false;
@@ -51,12 +60,12 @@ void stick_gone(VisitWork& work, const StickGone& gone) {
     say(work, told, SpeechPriority::hint);
 }
 
-void headphones_changed(VisitWork& work, bool are_in) {
+void take(VisitWork& work, const HeadphonesChanged& change) {
     Visitor& visitor = work.visitor;
-    work.site.has_headphones = are_in;
+    work.site.has_headphones = change.are_in;
     const VisitScreen screen = open_screen(work);
     const bool is_idle = screen == VisitScreen::attract || screen == VisitScreen::goodbye;
-    if (is_idle && are_in) {
+    if (is_idle && change.are_in) {
         cue(work, ScreenEvent::key_taken);
         return begin_visit(work);
     }
@@ -66,7 +75,7 @@ void headphones_changed(VisitWork& work, bool are_in) {
         std::min(work.world.rules.sound.volume, work.world.rules.volume_steps - 1);
     visitor.active_s = work.site.now_s;
     order(work, Hush{});
-    if (!are_in) {
+    if (!change.are_in) {
         visitor.pulled_s = work.site.now_s;
         return;
     }
@@ -76,41 +85,42 @@ void headphones_changed(VisitWork& work, bool are_in) {
     say_return(work, language_of(work).text("speech", "The headphones are in."));
 }
 
-void camera_captured(VisitWork& work, bool is_doubtful) {
+void take(VisitWork& work, const CameraCaptured& captured) {
     if (!work.visitor.is_capturing) return;
     work.visitor.is_capturing = false;
     cue(work, ScreenEvent::shutter);
     open_picture(work, PictureSource::camera, 0, {});
-    say(work,
-        words(work, is_doubtful ? "The photo has been taken. It is unclear; you can take it again."
-                                : "The photo has been taken."));
+    say(work, words(work, captured.is_doubtful
+                              ? "The photo has been taken. It is unclear; you can take it again."
+                              : "The photo has been taken."));
 }
 
-void camera_failed(VisitWork& work, const std::string& sentence) {
+void take(VisitWork& work, const CameraFailed& failed) {
     if (!work.visitor.is_capturing) return;
     work.visitor.is_capturing = false;
     leave_screens_of_picture(work);
     show_trouble(work,
-                 sentence.empty()
+                 failed.sentence.empty()
                      ? words(work, "The camera gave no photo. Try again, or tell the staff.")
-                     : sentence,
+                     : failed.sentence,
                  std::nullopt);
 }
 
-void camera_changed(VisitWork& work, bool is_there) {
-    if (work.site.has_camera == is_there) return;
-    work.site.has_camera = is_there;
-    if (!is_there) camera_failed(work, {});
+void take(VisitWork& work, const CameraChanged& change) {
+    if (work.site.has_camera == change.is_there) return;
+    work.site.has_camera = change.is_there;
+    if (!change.is_there) take(work, CameraFailed{});
     if (open_screen(work) == VisitScreen::camera) say_screen(work);
 }
 
-void guidance_ended(VisitWork& work, bool has_arrived) {
+void take(VisitWork& work, const GuidanceEnded& ended) {
     auto& leading = work.visitor.leading;
     if (!leading || !leading->has_begun) return;
     const GuideKind kind = leading->guide.kind;
     leading.reset();
     work.visitor.active_s = work.site.now_s;
-    if (!has_arrived) return say_next(work, words(work, "The handle has stopped guiding you."));
+    if (!ended.has_arrived)
+        return say_next(work, words(work, "The handle has stopped guiding you."));
     cue(work, ScreenEvent::label_reached);
     shake(work, HandlePattern::chosen);
     if (kind == GuideKind::outline)
@@ -119,7 +129,7 @@ void guidance_ended(VisitWork& work, bool has_arrived) {
     say_next(work, language_of(work).text("guidance", "You are there."));
 }
 
-void trouble_began(VisitWork& work, const TroubleBegan& began) {
+void take(VisitWork& work, const TroubleBegan& began) {
     auto& known = work.site.troubles[static_cast<std::size_t>(began.kind)];
     if (known == began.sentence) return;
     known = began.sentence;
@@ -128,7 +138,8 @@ void trouble_began(VisitWork& work, const TroubleBegan& began) {
     show_trouble(work, told_trouble(began.kind, began.sentence, language_of(work)), began.kind);
 }
 
-void trouble_ended(VisitWork& work, TroubleKind kind) {
+void take(VisitWork& work, const TroubleEnded& ended) {
+    const TroubleKind kind = ended.kind;
     auto& known = work.site.troubles[static_cast<std::size_t>(kind)];
     if (!known) return;
     known.reset();
@@ -141,74 +152,20 @@ void trouble_ended(VisitWork& work, TroubleKind kind) {
     close_trouble(work, told);
 }
 
-void opening_changed(VisitWork& work, SiteOpening opening) {
-    if (work.site.opening == opening) return;
-    work.site.opening = opening;
+void take(VisitWork& work, const OpeningChanged& change) {
+    if (work.site.opening == change.opening) return;
+    work.site.opening = change.opening;
     if (is_visit_on(visit_of(work))) return end_visit(work, VisitScreen::closed);
     nobody_is_here(work);
 }
 
-void staff_called_off(VisitWork& work) {
+void take(VisitWork& work, const StaffCalledOff& /*called_off*/) {
     if (!work.site.is_staff_called) return;
     work.site.is_staff_called = false;
     order(work, CallStaff{false});
     if (!is_visit_on(visit_of(work))) return;
     say(work, words(work, "The staff know of your call."), SpeechPriority::hint);
 }
-
-/// One overload per event.
-struct Take {
-    VisitWork& work;
-
-    void operator()(const Tick& tick) { pass_time(work, tick.now_s); }
-
-    void operator()(const KeyPressed& key) { press(work, key.role); }
-
-    void operator()(const SpeechKeyPressed& key) { press(work, key.key); }
-
-    void operator()(const DeadKeyPressed&) { press_dead_key(work); }
-
-    void operator()(const KnobTurned& knob) { follow_knob(work, knob.by_rad); }
-
-    void operator()(const HandleSeen& handle) { follow_handle(work, handle); }
-
-    void operator()(const HeadphonesChanged& change) { headphones_changed(work, change.are_in); }
-
-    void operator()(const StickArriving&) {
-        work.visitor.has_stick = true;
-        work.visitor.stick_list.reset();
-        leave_letters(work);
-        if (open_screen(work) == VisitScreen::stick) say(work, screen_of(work).text);
-    }
-
-    void operator()(const StickCame& came) { stick_came(work, came); }
-
-    void operator()(const StickGone& gone) { stick_gone(work, gone); }
-
-    void operator()(const PictureReady& ready) { take_ready(work, ready); }
-
-    void operator()(const ThingsLookedFor& looked) { take_things(work, looked); }
-
-    void operator()(const PictureFailed& failed) { take_failed(work, failed); }
-
-    void operator()(const CameraChanged& change) { camera_changed(work, change.is_there); }
-
-    void operator()(const CameraCaptured& event) { camera_captured(work, event.is_doubtful); }
-
-    void operator()(const CameraFailed& failed) { camera_failed(work, failed.sentence); }
-
-    void operator()(const GuidanceEnded& ended) { guidance_ended(work, ended.has_arrived); }
-
-    void operator()(const TroubleBegan& began) { trouble_began(work, began); }
-
-    void operator()(const TroubleEnded& ended) { trouble_ended(work, ended.kind); }
-
-    void operator()(const OpeningChanged& change) { opening_changed(work, change.opening); }
-
-    void operator()(const SettingsChanged& change) { follow_settings(work, change.before); }
-
-    void operator()(const StaffCalledOff&) { staff_called_off(work); }
-};
 
 bool is_waited_for(const Visitor& visitor) {
     const VisitScreen screen = visitor.path.back().screen;
@@ -259,6 +216,54 @@ VisitStep finish(const Visit& before, VisitWork work) {
 
 }  // namespace
 
+Visitor new_visitor(const Site& site, const VisitWorld& world) {
+    Visitor visitor;
+    visitor.sound = world.rules.sound;
+    visitor.sound.language = std::min(visitor.sound.language, world.languages.size() - 1);
+    visitor.sound.volume = std::min(visitor.sound.volume, world.rules.volume_steps - 1);
+    visitor.look = world.rules.look;
+    visitor.feel.mode = world.settings.mode;
+    visitor.detail = world.settings.detail;
+    visitor.active_s = site.now_s;
+    visitor.key_s = site.now_s;
+    visitor.entered_s = site.now_s;
+    if (site.opening != SiteOpening::open) visitor.path = {Standing{VisitScreen::closed}};
+    return visitor;
+}
+
+/// A stick that came while nobody was here belongs to the next visitor.
+void nobody_is_here(VisitWork& work) {
+    Visitor before = std::move(work.visitor);
+    work.visitor = new_visitor(work.site, work.world);
+    work.visitor.has_stick = before.has_stick;
+    work.visitor.stick_list = std::move(before.stick_list);
+}
+
+void begin_visit(VisitWork& work) {
+    nobody_is_here(work);
+    work.visitor.path = {{VisitScreen::language, work.visitor.sound.language, 0}};
+    work.visitor.is_hint_due = true;
+    say_screen(work);
+}
+
+void end_visit(VisitWork& work, VisitScreen next) {
+    order(work, Hush{});
+    order(work, Guide{});
+    if (work.visitor.loading) order(work, CancelLoad{work.visitor.loading->order.request});
+    order(work, Wipe{});
+    order(work, GiveStickBack{});
+    const std::size_t language = work.visitor.sound.language;
+    const bool has_stick = work.visitor.has_stick;
+    work.visitor = new_visitor(work.site, work.world);
+    work.visitor.path = {Standing{next}};
+    // The last words are still in the visitor's language.
+    if (next == VisitScreen::goodbye) {
+        work.visitor.sound.language = language;
+        work.visitor.has_stick_to_take = has_stick;
+    }
+    say_screen(work);
+}
+
 VisitStep start_visit(const VisitWorld& world) {
     Visit visit;
     visit.visitor = new_visitor(visit.site, world);
@@ -268,7 +273,7 @@ VisitStep start_visit(const VisitWorld& world) {
 
 VisitStep step(const Visit& visit, const VisitEvent& event, const VisitWorld& world) {
     VisitWork work{visit.site, visit.visitor, world, {}};
-    std::visit(Take{work}, event);
+    std::visit([&work](const auto& each) { take(work, each); }, event);
     return finish(visit, std::move(work));
 }
 

@@ -1,11 +1,10 @@
 // How the picture is opened, opened again in another way, and told.
-#include "app/session/page_words.h"
+#include "app/session/page_place.h"
 #include "app/session/visit_work.h"
 #include "audio-cues/words/guidance_words.h"
 #include "audio-cues/words/thing_words.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace touchline {
@@ -128,18 +127,6 @@ std::string told_picture(const VisitWork& work) {
     return text;
 }
 
-std::string told_place(const VisitWork& work) {
-    const Visitor& visitor = work.visitor;
-    const Language& language = language_of(work);
-    const std::string place = words_of(place_of(visitor.handle.place_W, CueArea{}), language);
-    if (!visitor.felt || !visitor.handle.part ||
-        *visitor.handle.part >= visitor.felt->facts.parts.size()) {
-        return words(work, "Not on a line. In the picture: {0}.", {place});
-    }
-    return words(work, "On: {0}. In the picture: {1}.",
-                 {visitor.felt->facts.parts[*visitor.handle.part].name, place});
-}
-
 void open_picture(VisitWork& work, PictureSource source, std::size_t index,
                   const std::string& name) {
     LoadPicture wanted;
@@ -180,7 +167,7 @@ void cancel_loading(VisitWork& work) {
     say_return(work, words(work, "Cancelled."));
 }
 
-void take_ready(VisitWork& work, const PictureReady& ready) {
+void take(VisitWork& work, const PictureReady& ready) {
     Visitor& visitor = work.visitor;
     if (visitor.loading && visitor.loading->order.request == ready.request) {
         const Loading done = *visitor.loading;
@@ -243,7 +230,7 @@ void tell_things(VisitWork& work) {
 
 /// If the hand has found a line, the picture stays: the visitor is told, and can choose the main
 /// thing.
-void take_things(VisitWork& work, const ThingsLookedFor& looked) {
+void take(VisitWork& work, const ThingsLookedFor& looked) {
     Visitor& visitor = work.visitor;
     if (!visitor.felt || visitor.felt->order.request != looked.request) return;
     visitor.felt->facts.place = looked.place;
@@ -266,7 +253,7 @@ void take_things(VisitWork& work, const ThingsLookedFor& looked) {
     load(work, {wanted, LoadReason::main_thing, visitor.felt->facts.title});
 }
 
-void take_failed(VisitWork& work, const PictureFailed& failed) {
+void take(VisitWork& work, const PictureFailed& failed) {
     Visitor& visitor = work.visitor;
     if (!visitor.loading || visitor.loading->order.request != failed.request) return;
     const LoadReason reason = visitor.loading->reason;
@@ -281,27 +268,6 @@ void take_failed(VisitWork& work, const PictureFailed& failed) {
             ? words(work, "This picture cannot be opened. It may be damaged. Choose another one.")
             : failed.sentence;
     show_trouble(work, sentence, std::nullopt);
-}
-
-Position in_whole_picture(const VisitWork& work, Position place_W) {
-    if (!work.visitor.felt) return place_W;
-    const ZoomWanted& zoom = work.visitor.felt->order.zoom;
-    if (zoom.factor <= 1.0) return place_W;
-    return zoom.centre + (1.0 / zoom.factor) * place_W;
-}
-
-void zoom_around(VisitWork& work, Position place_W, double factor) {
-    LoadPicture wanted = work.visitor.felt->order;
-    wanted.zoom = {factor, factor > 1.0 ? in_whole_picture(work, place_W) : Position{}};
-    open_again(work, wanted, LoadReason::zoom);
-}
-
-void zoom_in_on_part(VisitWork& work, std::size_t part) {
-    constexpr double middle_m = 0.002;
-    const Position place_W = work.visitor.felt->facts.parts[part].place_W;
-    const ZoomWanted& zoom = work.visitor.felt->order.zoom;
-    const bool is_in_middle = zoom.factor > 1.0 && std::hypot(place_W.x, place_W.y) < middle_m;
-    zoom_around(work, place_W, is_in_middle ? 4.0 : 2.0);
 }
 
 }  // namespace touchline

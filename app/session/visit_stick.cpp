@@ -1,18 +1,14 @@
 // A stick's list of files, all of them or those that begin alike, and its letters.
-#include "app/session/screen_writer.h"
+#include "app/session/visit_menu.h"
 #include "app/sticks/spoken_name.h"
 #include "app/sticks/stick_words.h"
 
-#include <algorithm>
+#include <array>
+#include <memory>
 #include <numeric>
 
 namespace touchline {
 namespace {
-
-/// True if there is more than a page, so that a search helps.
-bool is_long(std::size_t rows) {
-    return rows > list_page;
-}
 
 std::size_t rows_of(const Visitor& visitor) {
     return visitor.found ? visitor.found->rows.size() : visitor.stick_list->names.size();
@@ -47,20 +43,27 @@ std::vector<LetterGroup> groups_of(const VisitWork& work) {
     return letter_groups(visitor.stick_list->names, rows, language_of(work).code());
 }
 
-}  // namespace
+/// True once the stick has been read.
+bool has_list(const VisitSheet& sheet) {
+    return sheet.visitor().has_stick && sheet.visitor().stick_list;
+}
 
-void put_stick(ScreenWriter& sheet) {
-    const Visitor& visitor = sheet.visit.visitor;
-    sheet.title("Your USB stick");
+bool is_part(const VisitSheet& sheet) {
+    return has_list(sheet) && sheet.visitor().found;
+}
+
+/// True if there is more than a page, so that a search helps.
+bool can_be_grouped(const VisitSheet& sheet) {
+    return has_list(sheet) && rows_of(sheet.visitor()) > list_page;
+}
+
+void write_stick(VisitSheet& sheet) {
+    const Visitor& visitor = sheet.visitor();
     if (!visitor.has_stick) {
         sheet.sentence("There is no USB stick.");
-        sheet.sentence("Put one into the USB slot; nothing is written to it.");
-        return sheet.back();
+        return sheet.sentence("Put one into the USB slot; nothing is written to it.");
     }
-    if (!visitor.stick_list) {
-        sheet.sentence("Your USB stick is being read.");
-        return sheet.back();
-    }
+    if (!visitor.stick_list) return sheet.sentence("Your USB stick is being read.");
     const std::vector<std::string>& names = visitor.stick_list->names;
     if (names.empty()) sheet.sentence("There is nothing to feel on it.");
     if (visitor.found) {
@@ -70,59 +73,87 @@ void put_stick(ScreenWriter& sheet) {
     } else {
         sheet.told(words_of(visitor.stick_list->rest, names.size(), sheet.language));
     }
+}
+
+void write_files(VisitSheet& sheet) {
+    if (!has_list(sheet)) return;
+    const Visitor& visitor = sheet.visitor();
     sheet.list(
         rows_of(visitor),
         [&](std::size_t place) {
             const std::size_t row = row_at(visitor, place);
             const NameForm& form = visitor.stick_list->forms[row];
-            return ListRow{row, spoken_name(names[row], sheet.language, form), {}};
+            return ListRow{
+                row, spoken_name(visitor.stick_list->names[row], sheet.language, form), {}};
         },
         "Press Select to open it.");
-    if (is_long(rows_of(visitor)))
-        sheet.item(VisitItem::letters, visitor.found ? "By the next letter" : "By the first letter",
-                   {}, "Groups the files by how their names begin.");
-    if (visitor.found) sheet.item(VisitItem::all_files, "All files");
-    sheet.back();
 }
 
-void put_letters(ScreenWriter& sheet) {
-    const Visitor& visitor = sheet.visit.visitor;
-    sheet.title("How names begin");
-    if (visitor.letters) {
-        for (std::size_t i = 0; i < visitor.letters->size(); ++i) {
-            const LetterGroup& group = (*visitor.letters)[i];
-            sheet.row(i, name_of(group, sheet.language),
-                      files_in_words(group.rows.size(), sheet.language));
-        }
-    }
-    sheet.back();
+void take_file(VisitWork& work, std::size_t row, const std::string& name) {
+    open_picture(work, PictureSource::stick, row, name);
 }
 
+void write_letters(VisitSheet& sheet) {
+    if (!sheet.visitor().letters) return;
+    const std::vector<LetterGroup>& letters = *sheet.visitor().letters;
+    for (std::size_t i = 0; i < letters.size(); ++i)
+        sheet.row(i, name_of(letters[i], sheet.language),
+                  files_in_words(letters[i].rows.size(), sheet.language));
+}
+
+/// Opens the letters of the rows that the list shows now.
 void open_letters(VisitWork& work) {
     if (!work.visitor.stick_list) return;
     work.visitor.letters = std::make_shared<const std::vector<LetterGroup>>(groups_of(work));
-    enter(work, VisitScreen::letters);
+    show(work, VisitScreen::letters);
+}
+
+void say_list_from_start(VisitWork& work) {
+    Standing& list = work.visitor.path.back();
+    list.about = 0;
+    list.focus = 0;
     say_screen(work);
 }
 
-void take_letter(VisitWork& work, std::size_t row) {
+/// `row` of Visitor::letters: from now on the list shows its files.
+void take_letter(VisitWork& work, std::size_t row, const std::string& /*name*/) {
     Visitor& visitor = work.visitor;
     if (!visitor.letters || row >= visitor.letters->size()) return;
     visitor.found = std::make_shared<const LetterGroup>((*visitor.letters)[row]);
     visitor.letters.reset();
     leave(work);
-    Standing& list = work.visitor.path.back();
-    list.about = 0;
-    list.focus = 0;
-    say_screen(work);
+    say_list_from_start(work);
 }
 
 void show_all_files(VisitWork& work) {
     forget_letters(work.visitor);
-    Standing& list = work.visitor.path.back();
-    list.about = 0;
-    list.focus = 0;
-    say_screen(work);
+    say_list_from_start(work);
+}
+
+using S = VisitScreen;
+using I = VisitItem;
+
+constexpr auto stick_screens = std::to_array<VisitScreenRow>({
+    {.screen = S::stick, .title = "Your USB stick", .write = write_stick, .back_item = "Back"},
+    {.screen = S::letters, .title = "How names begin", .back_item = "Back"},
+});
+
+constexpr const char* group_hint = "Groups the files by how their names begin.";
+
+constexpr auto stick_items = std::to_array<VisitItemRow>({
+    {S::stick, I::entry, "", VisitList{write_files, take_file}},
+    {S::stick, I::letters, "By the next letter", open_letters, group_hint,
+     [](const VisitSheet& sheet) { return can_be_grouped(sheet) && is_part(sheet); }},
+    {S::stick, I::letters, "By the first letter", open_letters, group_hint,
+     [](const VisitSheet& sheet) { return can_be_grouped(sheet) && !is_part(sheet); }},
+    {S::stick, I::all_files, "All files", show_all_files, nullptr, is_part},
+    {S::letters, I::entry, "", VisitList{write_letters, take_letter}},
+});
+
+}  // namespace
+
+VisitMenu stick_menu() {
+    return {stick_screens, stick_items};
 }
 
 void forget_letters(Visitor& visitor) {

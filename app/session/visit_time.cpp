@@ -1,12 +1,28 @@
-// What time alone causes.
+// What happens without a key: what time causes, the handle that leads, and the hand that moves it.
 #include "app/session/visit_work.h"
+#include "audio-cues/speech/speech_rate.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
 namespace touchline {
 namespace {
+
+constexpr double hint_after_s = 1.5;
+constexpr double hint_again_s = 30.0;  // the same hint: 10 s, and the time of other words
+constexpr int hint_times = 2;          // in a visit; after that it is known
+constexpr double progress_after_s = 0.3;
+constexpr double progress_said_after_s = 2.0;
+constexpr double progress_said_every_s = 4.5;
+constexpr double private_s = 10.0;  // headphones are out; then the kiosk asks
+constexpr double goodbye_s = 10.0;
+constexpr double practice_s = 60.0;
+constexpr double longest_lead_s = 300.0;  // longer leading no longer counts as presence
+constexpr double dwell_s = 0.4;
+constexpr double quick_m_per_s = 0.08;  // no part is named while the hand is faster
+constexpr double attention_every_s = 5.0;
 
 void ask(VisitWork& work) {
     Visitor& visitor = work.visitor;
@@ -91,9 +107,9 @@ void give_hint(VisitWork& work) {
     const bool is_of_languages = open_screen(work) == VisitScreen::language;
     const SpokenScreen screen = screen_of(work);
     std::string hint;
+    // The list is the same, whatever language has the focus.
     if (is_of_languages)
-        hint = work.world.languages.front()
-                   .name();  // the list is the same, whatever language has the focus
+        hint = work.world.languages.front().name();
     else if (screen.focus)
         hint = screen.items[*screen.focus].hint;
     visitor.is_hint_due = false;
@@ -136,13 +152,44 @@ void ask_for_attention(VisitWork& work) {
     shake(work, HandlePattern::error);
 }
 
+/// Long enough for the announcement's first words, at the rate that the visitor chose.
+double announcement_s(const Visitor& visitor) {
+    const std::size_t rate = std::min(visitor.sound.rate, speech_rates_per_minute.size() - 1);
+    return 2.0 * speech_rates_per_minute[default_speech_rate] / speech_rates_per_minute[rate];
+}
+
+bool names_parts(VisitScreen screen) {
+    return screen == VisitScreen::picture || screen == VisitScreen::explore ||
+           screen == VisitScreen::practice;
+}
+
+/// Says the name of the part that the hand rests on.
+void name_part(VisitWork& work) {
+    Visitor& visitor = work.visitor;
+    const HandleSeen& handle = visitor.handle;
+    const double rested_s = work.site.now_s - visitor.part_since_s;
+    if (!handle.part) {
+        if (rested_s >= 2.0) visitor.part_said.reset();
+        return;
+    }
+    if (!visitor.felt || *handle.part >= visitor.felt->facts.parts.size()) return;
+    if (visitor.over || !names_parts(visitor.path.back().screen)) return;
+    if (handle.part == visitor.part_said || rested_s < dwell_s) return;
+    if (handle.speed_m_per_s > quick_m_per_s) return;
+    visitor.part_said = handle.part;
+    cue(work, ScreenEvent::label_reached);
+    const bool is_asked_for = visitor.path.back().screen == VisitScreen::explore;
+    say(work, visitor.felt->facts.parts[*handle.part].name,
+        is_asked_for ? SpeechPriority::text : SpeechPriority::hint);
+}
+
 }  // namespace
 
-void pass_time(VisitWork& work, double now_s) {
+void take(VisitWork& work, const Tick& tick) {
     Visitor& visitor = work.visitor;
     // Events before the first tick count as happening now.
-    if (work.site.now_s == 0.0) visitor.active_s = visitor.key_s = visitor.entered_s = now_s;
-    work.site.now_s = std::max(work.site.now_s, now_s);
+    if (work.site.now_s == 0.0) visitor.active_s = visitor.key_s = visitor.entered_s = tick.now_s;
+    work.site.now_s = std::max(work.site.now_s, tick.now_s);
     const VisitScreen screen = open_screen(work);
     if (screen == VisitScreen::goodbye && work.site.now_s - work.visitor.entered_s >= goodbye_s) {
         nobody_is_here(work);
@@ -155,6 +202,50 @@ void pass_time(VisitWork& work, double now_s) {
     mind_practice(work);
     ask_for_attention(work);
     mind_presence(work);
+}
+
+void lead(VisitWork& work, const Guide& guide, const std::string& announcement) {
+    if (work.site.troubles[static_cast<std::size_t>(TroubleKind::device)]) {
+        refuse(work);
+        return say(work, words(work, "The handle has no force now. Move it yourself."));
+    }
+    work.visitor.leading = Leading{guide, work.site.now_s + announcement_s(work.visitor), false};
+    shake(work, HandlePattern::chosen);
+    std::string text = announcement;
+    add_sentence(text, words(work, has_keys(work.world) ? "Press any key to stop it."
+                                                        : "Press a switch to stop it."));
+    say(work, text);
+}
+
+bool stop_leading(VisitWork& work) {
+    if (!work.visitor.leading) return false;
+    work.visitor.leading.reset();
+    order(work, Guide{});
+    return true;
+}
+
+void take(VisitWork& work, const HandleSeen& handle) {
+    Visitor& visitor = work.visitor;
+    if (handle.part != visitor.handle.part) visitor.part_since_s = work.site.now_s;
+    visitor.handle = handle;
+    visitor.has_touched = visitor.has_touched || handle.part.has_value();
+    if (visitor.has_touched && keep_whole(work)) tell_things(work);
+    const bool is_hand = handle.has_moved && !handle.is_led;
+    if (is_hand) visitor.active_s = work.site.now_s;
+    const VisitScreen screen = open_screen(work);
+    if (is_hand && screen == VisitScreen::attract) return begin_visit(work);
+    if (is_hand && screen == VisitScreen::question) {
+        visitor.pulled_s.reset();
+        return uncover(work, words(work, "You have more time."));
+    }
+    name_part(work);
+}
+
+void take(VisitWork& work, const KnobTurned& knob) {
+    Visitor& visitor = work.visitor;
+    if (visitor.feel.shape == HeldShape::none || !std::isfinite(knob.by_rad)) return;
+    visitor.active_s = work.site.now_s;
+    visitor.feel.turn_rad += knob.by_rad;
 }
 
 }  // namespace touchline

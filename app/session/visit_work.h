@@ -24,12 +24,16 @@ struct VisitWork {
 [[nodiscard]] VisitScreen open_screen(const VisitWork& work);
 
 /// The screen that has the keys.
+[[nodiscard]] const Standing& open_standing(const Visitor& visitor);
 [[nodiscard]] Standing& open_standing(VisitWork& work);
 [[nodiscard]] SpokenScreen screen_of(const VisitWork& work);
 
 void order(VisitWork& work, VisitOrder order);
 void cue(VisitWork& work, ScreenEvent event);
 void shake(VisitWork& work, HandlePattern pattern);
+
+/// Answers a key that can do nothing here.
+void refuse(VisitWork& work);
 
 /// Says `text` and makes it the caption. Does nothing if it is empty.
 void say(VisitWork& work, const std::string& text, SpeechPriority priority = SpeechPriority::text);
@@ -42,7 +46,7 @@ void say_in(VisitWork& work, const Language& language, const std::string& text,
 [[nodiscard]] std::string words(const VisitWork& work, const std::string& english,
                                 std::initializer_list<std::string_view> values = {});
 
-// Navigation (visit_path.cpp). What is said begins with `first` unless that is empty.
+// Navigation. What is said begins with `first` unless that is empty.
 
 /// The open screen: title, text, focused item.
 void say_screen(VisitWork& work, const std::string& first = {});
@@ -85,7 +89,7 @@ void uncover(VisitWork& work, const std::string& first = {});
 [[nodiscard]] std::string told_trouble(TroubleKind kind, const std::string& sentence,
                                        const Language& language);
 
-// Beginning and end (visit_ends.cpp).
+// Beginning and end (visit.cpp).
 
 /// Ends the screen of the visitor before: nothing of theirs stays, except a stick that is plugged
 /// in.
@@ -108,42 +112,23 @@ void open_again(VisitWork& work, LoadPicture wanted, LoadReason reason);
 /// Opens again what is being opened, or else what is felt, in the current language and detail.
 void open_unasked(VisitWork& work);
 void cancel_loading(VisitWork& work);
-void take_ready(VisitWork& work, const PictureReady& ready);
 void tell_things(VisitWork& work);
 
 /// Cancels the main thing that is being opened unasked: it would replace the picture under the
 /// hand, or under another screen. True if there was one.
 bool keep_whole(VisitWork& work);
-void take_things(VisitWork& work, const ThingsLookedFor& looked);
-void take_failed(VisitWork& work, const PictureFailed& failed);
 
 /// Title, how it is drawn, overview, parts.
 [[nodiscard]] std::string told_picture(const VisitWork& work);
 
-/// Turns a place of what is felt into W of the whole picture.
-[[nodiscard]] Position in_whole_picture(const VisitWork& work, Position place_W);
-
-/// Enlarges twice around it, or four times if it is in the middle already.
-void zoom_around(VisitWork& work, Position place_W, double factor);
-void zoom_in_on_part(VisitWork& work, std::size_t part);
-
-/// "On the tail, upper right."
-[[nodiscard]] std::string told_place(const VisitWork& work);
-
 // The stick's list (visit_stick.cpp).
 
-/// Opens the letters of the rows that the list shows now.
-void open_letters(VisitWork& work);
-
-/// `row` of Visitor::letters: from now on the list shows its files.
-void take_letter(VisitWork& work, std::size_t row);
-void show_all_files(VisitWork& work);
 void forget_letters(Visitor& visitor);
 
 /// Opens the page of the list that has this file, with the focus on it.
 void return_to_file(VisitWork& work, std::size_t row);
 
-// Leading (visit_leading.cpp).
+// Leading (visit_time.cpp).
 
 /// Announces the guide, and begins after the time to hear it (HA-1).
 void lead(VisitWork& work, const Guide& guide, const std::string& announcement);
@@ -151,60 +136,23 @@ void lead(VisitWork& work, const Guide& guide, const std::string& announcement);
 /// Called at any key. True if anything was under way.
 bool stop_leading(VisitWork& work);
 
-void follow_handle(VisitWork& work, const HandleSeen& handle);
+// Keys and events.
 
-/// Says the name of the part that the hand rests on.
-void name_part(VisitWork& work);
-
-// A held shape (visit_shape.cpp).
-
-/// `item`: turn_left, turn_right or turn_back.
-void turn_shape(VisitWork& work, VisitItem item);
-
-/// Says nothing: the hand feels a knob turn.
-void follow_knob(VisitWork& work, double by_rad);
-
-// Settings (visit_settings.cpp).
-
-struct ValueList {
-    std::vector<std::string> names;
-    std::size_t chosen = 0;
-};
-
-/// The values of a setting, in the order of the screen.
-[[nodiscard]] ValueList values_of(const Visit& visit, const VisitWorld& world, VisitItem setting);
-[[nodiscard]] std::string name_of(VisitItem setting, const Language& language);
-
-/// `value` is an index of values_of().
-void choose_value(VisitWork& work, VisitItem setting, std::size_t value);
-void change_volume(VisitWork& work, int change);
-void change_rate(VisitWork& work, int change);
-void reset_settings(VisitWork& work);
-
-/// Applies the operator's changes to the feel over the visitor's choices: the later change holds.
-void follow_settings(VisitWork& work, const Settings& before);
-
-// Keys (visit_keys.cpp, visit_select.cpp) and time (visit_time.cpp).
-
-void press(VisitWork& work, KeyRole role);
-void press(VisitWork& work, SpeechKey key);
-void press_dead_key(VisitWork& work);
+/// Does what the item that has the focus says (visit_menu.cpp).
 void select(VisitWork& work);
-void pass_time(VisitWork& work, double now_s);
 
-inline constexpr int list_page = 10;  // rows of a list on a screen
-inline constexpr double hint_after_s = 1.5;
-inline constexpr double hint_again_s = 30.0;  // the same hint: 10 s, and the time of other words
-inline constexpr int hint_times = 2;          // in a visit; after that it is known
-inline constexpr double progress_after_s = 0.3;
-inline constexpr double progress_said_after_s = 2.0;
-inline constexpr double progress_said_every_s = 4.5;
-inline constexpr double private_s = 10.0;  // headphones are out; then the kiosk asks
-inline constexpr double goodbye_s = 10.0;
-inline constexpr double practice_s = 60.0;
-inline constexpr double longest_lead_s = 300.0;  // longer leading no longer counts as presence
-inline constexpr double dwell_s = 0.4;
-inline constexpr double quick_m_per_s = 0.08;  // no part is named while the hand is faster
-inline constexpr double attention_every_s = 5.0;
+// What happens, beside what visit.cpp takes itself.
+void take(VisitWork& work, const Tick& tick);       // visit_time.cpp
+void take(VisitWork& work, const KeyPressed& key);  // visit_keys.cpp
+void take(VisitWork& work, const SpeechKeyPressed& key);
+void take(VisitWork& work, const DeadKeyPressed& key);
+void take(VisitWork& work, const HandleSeen& handle);
+/// Turns a held shape. Says nothing: the hand feels a knob turn.
+void take(VisitWork& work, const KnobTurned& knob);
+void take(VisitWork& work, const PictureReady& ready);  // visit_picture.cpp
+void take(VisitWork& work, const ThingsLookedFor& looked);
+void take(VisitWork& work, const PictureFailed& failed);
+/// Applies the operator's changes to the feel over the visitor's choices: the later change holds.
+void take(VisitWork& work, const SettingsChanged& change);  // visit_settings.cpp
 
 }  // namespace touchline

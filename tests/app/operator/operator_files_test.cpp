@@ -2,11 +2,8 @@
 #include "app/operator/backup.h"
 #include "app/operator/counters.h"
 #include "app/operator/pin.h"
-#include "app/operator/pin_file.h"
-#include "app/operator/pin_tries_file.h"
 #include "app/operator/profiles.h"
 #include "app/operator/settings_files.h"
-#include "app/operator/site_files.h"
 #include "config/settings/setting_rows.h"
 
 #include <algorithm>

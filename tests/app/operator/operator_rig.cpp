@@ -1,8 +1,8 @@
 #include "tests/app/operator/operator_rig.h"
 
 #include "app/operator/backup.h"
-#include "app/operator/pin_file.h"
-#include "app/operator/site_files.h"
+#include "app/operator/pin.h"
+#include "app/operator/settings_files.h"
 
 #include <utility>
 

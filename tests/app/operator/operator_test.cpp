@@ -1,7 +1,6 @@
 // Tests the operator's screens by six keys: settings, tests, upkeep.
 #include "app/operator/backup.h"
-#include "app/operator/kinds.h"
-#include "app/operator/operator_places.h"
+#include "app/operator/operator_menu.h"
 #include "haptics/pantograph/profile.h"
 #include "tests/app/operator/operator_rig.h"
 

@@ -1,9 +1,7 @@
 // Tests every screen of the operator: walked in each language, left by few keys, set up from
 // nothing by six keys, and with random keys.
-#include "app/operator/kinds.h"
-#include "app/operator/operator_items.h"
-#include "app/operator/operator_places.h"
-#include "app/operator/pin_file.h"
+#include "app/operator/operator_menu.h"
+#include "app/operator/pin.h"
 #include "app/operator/setting_words.h"
 #include "config/settings/setting_rows.h"
 #include "tests/app/operator/operator_rig.h"
@@ -250,7 +248,7 @@ TEST(OperatorWalk, EveryTextIsInTheCatalogue) {
         expect("operator", row.hint);
     }
     for (std::size_t i = 0; i < question_count; ++i)
-        expect("operator", words_of(static_cast<Question>(i)));
+        expect("operator", row_of(static_cast<Question>(i)).text);
     for (const KindRow& row : kind_rows()) {
         expect("kind", row.name);
         expect("kind", row.hint);

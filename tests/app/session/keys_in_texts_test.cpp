@@ -1,9 +1,9 @@
 // Tests that the keys can do what a text asks for: the six of a keypad, two switches, and a full
 // keyboard.
 #include "app/keys/two_switches.h"
-#include "app/operator/operator_places.h"
-#include "app/session/fault_words.h"
+#include "app/operator/operator_menu.h"
 #include "app/session/keys.h"
+#include "app/session/told_lines.h"
 #include "tests/app/session/visit_scenes.h"
 #include "tests/audio-cues/words/po_file.h"
 

@@ -40,5 +40,28 @@ TEST(ScreenModel, AListGoesRoundItsEnds) {
     EXPECT_FALSE(move_focus(screen, true));
 }
 
+TEST(ScreenModel, TheFocusStaysOnAnItem) {
+    SpokenScreen screen = firmness();
+    set_focus(screen, 7);
+    EXPECT_EQ(screen.focus, 2U);
+    EXPECT_EQ(place_of(screen.items, 2), 1U);
+    EXPECT_FALSE(place_of(screen.items, 4));
+    screen.items.clear();
+    set_focus(screen, 0);
+    EXPECT_FALSE(screen.focus);
+}
+
+TEST(ScreenModel, ALongListHasPagesOfTen) {
+    const ListPage last = page_of(23, 40);
+    EXPECT_EQ(last.first, 20U);
+    EXPECT_EQ(last.end, 23U);
+    EXPECT_EQ(last.number, 3);
+    EXPECT_EQ(last.count, 3);
+    EXPECT_EQ(page_of(20, 10).end, 20U);
+    EXPECT_EQ(page_of(20, 10).count, 2);
+    EXPECT_EQ(page_of(0, 10).first, page_of(0, 10).end);
+    EXPECT_EQ(page_of(0, 10).count, 1);
+}
+
 }  // namespace
 }  // namespace touchline

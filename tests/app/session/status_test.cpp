@@ -1,7 +1,7 @@
 #include "app/session/status.h"
 
-#include "app/session/fault_words.h"
 #include "app/session/keys.h"
+#include "app/session/told_lines.h"
 
 #include <algorithm>
 #include <fstream>
@@ -258,6 +258,13 @@ TEST(Status, NumbersHaveTheSignOfTheLanguage) {
     const Status status = describe(shown(), hand, {}, german);
     EXPECT_EQ(value_of(status, "Kraft"), "1,0 Newton");
     EXPECT_EQ(value_of(status, "Stufe").substr(0, 9), "2,5 von 6");
+}
+
+std::string keys_as_markdown() {
+    std::string text = "| key | what it does |\n|---|---|\n";
+    for (const KeyRow& row : key_table())
+        text += "| " + std::string(row.name) + " | " + std::string(row.words) + " |\n";
+    return text;
 }
 
 TEST(Status, TheReadmeHoldsTheKeyTableAsItIs) {

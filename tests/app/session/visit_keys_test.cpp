@@ -1,9 +1,11 @@
 // Tests keys, lists and ways in every reachable state: IN of the requirements.
+#include "app/session/visit_menu.h"
 #include "tests/app/session/fake_world.h"
 #include "tests/app/session/visit_scenes.h"
 
 #include <algorithm>
 #include <set>
+#include <variant>
 
 #include <gtest/gtest.h>
 
@@ -253,6 +255,41 @@ TEST(Visit, TheEasiestPicturesComeFirst) {
     house.press(KeyRole::select);
     EXPECT_EQ(house.last<LoadPicture>()[0].index, 4U);
     EXPECT_EQ(house.last<LoadPicture>()[0].source, PictureSource::gallery);
+}
+
+TEST(VisitMenu, EveryScreenHasOneRow) {
+    std::multiset<VisitScreen> rows;
+    for (const VisitMenu& menu : {main_menu(), picture_menu(), settings_menu(), stick_menu()})
+        for (const VisitScreenRow& row : menu.screens) rows.insert(row.screen);
+    EXPECT_EQ(rows.size(), visit_screen_count);
+    for (std::size_t i = 0; i < visit_screen_count; ++i) {
+        const auto screen = static_cast<VisitScreen>(i);
+        EXPECT_EQ(rows.count(screen), 1U) << i;
+        EXPECT_EQ(row_of(screen).screen, screen);
+    }
+}
+
+TEST(VisitMenu, EverySettingKeepsEachOfItsValues) {
+    FakeHouse house;
+    to_picture(house);
+    const VisitWorld world = house.world();
+    VisitWork work{house.visit.site, house.visit.visitor, world, {}};
+    std::size_t count = 0;
+    for (const VisitMenu& menu : {picture_menu(), settings_menu()}) {
+        for (const VisitItemRow& row : menu.items) {
+            const auto* const setting = std::get_if<VisitSetting>(&row.does);
+            if (setting == nullptr) continue;
+            ++count;
+            EXPECT_EQ(&setting_row(row.item), &row) << row.name;
+            const auto names = setting->names(world, language_of(work));
+            EXPECT_EQ(std::set(names.begin(), names.end()).size(), names.size()) << row.name;
+            for (std::size_t value = 0; value < names.size(); ++value) {
+                setting->value.choose(work, value);
+                EXPECT_EQ(setting->value.chosen(work.visitor), value) << row.name;
+            }
+        }
+    }
+    EXPECT_GE(count, 10U);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "app/session/page_words.h"
+#include "app/session/page_place.h"
 
 #include "app/session/screen_model.h"
 
@@ -32,12 +32,6 @@ std::string told_thing(const PagePlace& place, const Language& language) {
                          {std::to_string(place.view), std::to_string(place.view_count - 1)});
 }
 
-std::string told_page(int page, int page_count, const Language& language) {
-    if (page_count <= 1) return {};
-    return language.text("page", "Page {0} of {1}",
-                         {std::to_string(page), std::to_string(page_count)});
-}
-
 /// Which of a page's pictures or things is felt.
 std::string told_view(const PagePlace& place, const Language& language) {
     if (place.things != ThingSearch::none) return told_thing(place, language);
@@ -48,6 +42,12 @@ std::string told_view(const PagePlace& place, const Language& language) {
 }
 
 }  // namespace
+
+std::string told_page(int page, int page_count, const Language& language) {
+    if (page_count <= 1) return {};
+    return language.text("page", "Page {0} of {1}",
+                         {std::to_string(page), std::to_string(page_count)});
+}
 
 std::string words_of(const PagePlace& place, const Language& language) {
     std::string text = told_page(place.page, place.page_count, language);
