@@ -192,7 +192,7 @@ struct Ordered {
 Ordered ordered(KioskWorld& world) {
     const ServoCommands& commands = world.servo().commands();
     return {commands.is_emergency_stop, commands.faults_cleared, world.servo().homings,
-            world.servo().recordings_held, world.kiosk().desk().is_quitting};
+            world.servo().recordings_held, world.kiosk().window_wishes().is_quitting};
 }
 
 TEST(OperatorRun, AVisitorsKeyboardCanStopAndNeverStart) {
@@ -246,7 +246,7 @@ TEST(OperatorRun, AKeyThatIsLearnedIsNoOrder) {
     ASSERT_TRUE(staff.choose("Keys")) << staff.heard();
     ASSERT_TRUE(staff.choose("Assign the keys")) << staff.heard();
     strike(world, 'Q');
-    EXPECT_FALSE(world.kiosk().desk().is_quitting);
+    EXPECT_FALSE(world.kiosk().window_wishes().is_quitting);
 }
 
 /// The keys are free as long as no PIN is set, and in a desktop window.
