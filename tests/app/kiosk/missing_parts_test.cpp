@@ -1,5 +1,4 @@
-#include "app/kiosk/missing_parts.h"
-
+#include "app/kiosk/watched.h"
 #include "tests/app/kiosk/kiosk_world.h"
 
 #include <fstream>

@@ -1,5 +1,4 @@
-#include "app/kiosk/part_name.h"
-
+#include "app/kiosk/picture_facts.h"
 #include "config/types/face_part.h"
 #include "vision/simplify/parts.h"
 
