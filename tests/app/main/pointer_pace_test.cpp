@@ -1,5 +1,4 @@
-#include "app/main/pointer_pace.h"
-
+#include "app/main/kiosk_window.h"
 #include "haptics/device/simulated_pantograph.h"
 #include "haptics/servo/servo_step.h"
 
