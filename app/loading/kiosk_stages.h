@@ -2,11 +2,14 @@
 // Threads: any, each call by itself.
 #pragma once
 
+#include "app/decode/reading_order.h"
 #include "app/loading/stages.h"
 #include "app/trace/place_in_picture.h"
 #include "haptics/pantograph/profile.h"
 
+#include <atomic>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -22,6 +25,15 @@ using PageReader = std::function<std::optional<Page>(const Page&)>;
 /// time.
 using ThingFinder =
     std::function<Result<std::optional<Page>>(const Page&, const std::optional<PlaceInPicture>&)>;
+
+/// Reads by the worker of app/decode, in the language that `language` holds at the call; it may
+/// change meanwhile. If reading fails, or finds nothing, the page stays as it was felt.
+[[nodiscard]] PageReader page_reader(std::shared_ptr<const std::atomic<WrittenLanguage>> language);
+
+/// Looks with networks in their worker. Works without the figure's network if that is not
+/// installed, or if less than 2 GB of memory are free. Fails if a network is damaged or its worker
+/// fails.
+[[nodiscard]] ThingFinder thing_finder();
 
 class KioskStages final : public Stages {
   public:
