@@ -1,9 +1,10 @@
-// A visitor who knows only what was said, presses one of six keys and moves the handle.
-// Threads: one.
+// A visitor who knows only what was said, presses one of six keys and moves the handle; and an
+// operator who does the same, also while a visit runs. Threads: one.
 #pragma once
 
 #include "tests/app/kiosk/kiosk_world.h"
 
+#include <initializer_list>
 #include <string>
 
 namespace touchline {
@@ -41,5 +42,17 @@ class BlindVisitor {
     double slowest_answer_s_ = 0.0;
     int keys_ = 0;
 };
+
+/// Presses the keys that open the operator's screens.
+void enter(BlindVisitor& staff);
+
+/// Enters the digits 1, 2, 3, 4.
+void enter_pin(BlindVisitor& staff);
+
+/// Calls enter(), sets a new PIN, goes down to a setting by these names, and holds it.
+void hold_setting(BlindVisitor& staff, std::initializer_list<const char*> names);
+
+/// Turns the held setting down to its least value.
+void turn_to_least(BlindVisitor& staff);
 
 }  // namespace touchline
