@@ -10,7 +10,6 @@
 #include "app/kiosk/kiosk_handle.h"
 #include "app/kiosk/kiosk_keys.h"
 #include "app/kiosk/operator_session.h"
-#include "app/kiosk/ordered_picture.h"
 #include "app/kiosk/photo_capture.h"
 #include "app/kiosk/pictures.h"
 #include "app/kiosk/site_clock.h"

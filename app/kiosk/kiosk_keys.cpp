@@ -1,4 +1,5 @@
-// The keys of a kiosk: from a pressed key to its meaning for the visit or the staff.
+#include "app/kiosk/kiosk_keys.h"
+
 #include "app/kiosk/kiosk.h"
 
 #include <utility>

@@ -7,6 +7,8 @@
 #include <vector>
 
 namespace touchline {
+
+/// Carries out each order of the operator.
 struct Kiosk::OperatorOrderHandler {
     Kiosk& kiosk;
 
@@ -38,8 +40,6 @@ struct Kiosk::OperatorOrderHandler {
 
     void operator()(const RunTest& run) const { kiosk.run_test(run.step); }
 
-    void operator()(const StopTest&) const {}  // every step ends at once
-
     void operator()(const ShowLive& show) const {
         kiosk.window_wishes_.shows_live_view = show.is_on;
     }
@@ -57,20 +57,9 @@ struct Kiosk::OperatorOrderHandler {
                            SpeechPriority::hint});
     }
 
-    // The session has carried these out itself.
-    void operator()(const CheckPin&) const {}
-
-    void operator()(const KeepPin&) const {}
-
-    void operator()(const ImportFromStick&) const {}
-
-    void operator()(const ZeroCounters&) const {}
-
-    void operator()(const ExportLog&) const {}
-
-    void operator()(const BackUp&) const {}
-
-    void operator()(const Restore&) const {}
+    /// The session has carried out all others itself; a test that is stopped has ended at once.
+    template <class Order>
+    void operator()(const Order&) const {}
 };
 
 SpokenScreen Kiosk::screen() const {
@@ -123,12 +112,9 @@ void Kiosk::follow_hours() {
 void Kiosk::follow_operator() {
     if (!operator_) return;
     handle_.follow_motor_test();
-    operator_->set_private(sound_->output().kind == OutputKind::headset);
-    operator_->set_live(live_words());
-    operator_->set_kind(handle_.servo().kind());
-    operator_->set_device_words(
-        told_of_device(handle_.servo().device_words(), language(), ToldTo::staff));
-    operator_->set_bounds(felt_bounds());
+    operator_->see({sound_->output().kind == OutputKind::headset, live_words(),
+                    handle_.servo().kind(), felt_bounds(),
+                    told_of_device(handle_.servo().device_words(), language(), ToldTo::staff)});
     if (sticks_) operator_->put_stick(sticks_->root());
     if (const auto line = operator_->poll_stick(language())) tell_operator(OrderAnswered{*line});
     tell_operator(MomentPassed{});
