@@ -4,14 +4,18 @@
 #include "app/servo/black_box.h"
 #include "app/session/proxy_radius.h"
 
+#include <array>
+#include <cstddef>
 #include <utility>
 
 namespace touchline {
 namespace {
 
 constexpr double moved_m = 0.002;  // a smaller motion is no sign of a person
-constexpr double tour_m_per_s = 0.035;
 constexpr double motor_test_lasts_s = 2.5;
+
+constexpr std::array guidance_kinds{GuidanceKind::none, GuidanceKind::tour, GuidanceKind::to_place,
+                                    GuidanceKind::to_line};  // by GuideKind
 
 }  // namespace
 
@@ -25,20 +29,11 @@ void KioskHandle::carry_out(const Feel& feel) {
 }
 
 void KioskHandle::carry_out(const Guide& guide) {
-    ++guidance_.serial;
-    guidance_.kind = GuidanceKind::none;
-    guidance_.place = guide.place_W;
-    guidance_.outline = -1;
-    guidance_.speed_m_per_s = tour_m_per_s;
     is_guiding_ = guide.kind != GuideKind::stop;
-    if (guide.kind == GuideKind::outline) {
-        guidance_.kind = GuidanceKind::tour;
-        guidance_.outline = guide.outline;
-    } else if (guide.kind == GuideKind::to_place) {
-        guidance_.kind = GuidanceKind::to_place;
-    } else if (guide.kind == GuideKind::bring_back) {
-        guidance_.kind = GuidanceKind::to_line;
-    }
+    guidance_.kind = guidance_kinds.at(static_cast<std::size_t>(guide.kind));
+    ++guidance_.serial;
+    guidance_.outline = guide.kind == GuideKind::outline ? guide.outline : -1;
+    guidance_.place = guide.place_W;
     set_servo();
 }
 

@@ -180,11 +180,7 @@ Result<LoadedScene> KioskStages::build(const PictureFile& file, const FoundView&
     if (!scene) return tl::unexpected(of_page(file, found.place, scene.error()));
     LoadedScene result;
     result.facts = {map.title.empty() ? file.title : map.title,
-                    static_cast<int>(map.outlines.size()),
-                    scene->curves.coarsest(),
-                    std::move(felt->warning),
-                    found.place,
-                    {}};
+                    static_cast<int>(map.outlines.size()), std::move(felt->warning), found.place};
     if (found.is_photo)
         result.facts.place.things = finder_ ? ThingSearch::under_way : ThingSearch::impossible;
     result.shown = {std::make_shared<const Scene>(std::move(*scene)),
@@ -195,10 +191,6 @@ Result<LoadedScene> KioskStages::build(const PictureFile& file, const FoundView&
     result.felt = {result.shown.scene, std::make_shared<const TactileMap>(std::move(map)), order,
                    recorded};
     return result;
-}
-
-bool KioskStages::has_looking() const {
-    return static_cast<bool>(finder_);
 }
 
 Result<PagePtr> KioskStages::look(const PagePtr& page) const {
@@ -216,10 +208,6 @@ Result<PagePtr> KioskStages::seen(const PagePtr& page,
     return finder_(*page, place).map([](std::optional<Page> seen) {
         return seen ? std::make_shared<const Page>(std::move(*seen)) : PagePtr();
     });
-}
-
-bool KioskStages::has_reading() const {
-    return static_cast<bool>(reader_);
 }
 
 FoundPtr KioskStages::reread(const FoundView& found) const {

@@ -46,11 +46,15 @@ class KioskStages final : public Stages {
                                         const FeltPart& part) const override;
     [[nodiscard]] Result<LoadedScene> build(const PictureFile& file, const FoundView& found,
                                             const FeltPart& part) const override;
-    [[nodiscard]] bool has_looking() const override;
+
+    [[nodiscard]] bool has_looking() const override { return static_cast<bool>(finder_); }
+
     [[nodiscard]] Result<PagePtr> look(const PagePtr& page) const override;
     [[nodiscard]] Result<PagePtr> look_at(const PagePtr& page, int view,
                                           const Position& place) const override;
-    [[nodiscard]] bool has_reading() const override;
+
+    [[nodiscard]] bool has_reading() const override { return static_cast<bool>(reader_); }
+
     [[nodiscard]] FoundPtr reread(const FoundView& found) const override;
 
   private:
