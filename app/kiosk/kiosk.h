@@ -60,8 +60,11 @@ struct KioskParts {
 class Kiosk {
   public:
     explicit Kiosk(KioskParts parts);
+    ~Kiosk() = default;
     Kiosk(const Kiosk&) = delete;  // the handle refers to the settings
+    Kiosk(Kiosk&&) = delete;
     Kiosk& operator=(const Kiosk&) = delete;
+    Kiosk& operator=(Kiosk&&) = delete;
 
     /// A key of a keyboard, keypad or joystick changed, at a time of step()'s clock. The table of
     /// keys decides its meaning, then the staff's table (app/session/keys.h); else it is a dead
@@ -176,12 +179,11 @@ class Kiosk {
     // The operator: kiosk_operator.cpp.
     void tell_operator(const OperatorEvent& event);
     void tell_of_recording(const std::string& notice);
-    void say_for_operator(const std::string& text);
     void count_visit();
     void follow_hours();
     void follow_operator();
     void run_test(TestStep step);
-    void answer_test(TestStep step, bool has_passed, const std::string& line = {});
+    [[nodiscard]] bool passes(TestStep step);
     [[nodiscard]] std::vector<std::string> live_words() const;
     [[nodiscard]] FeltBounds felt_bounds() const;
 

@@ -13,8 +13,8 @@ struct Kiosk::OperatorOrderHandler {
     Kiosk& kiosk;
 
     void operator()(const Say& say) const {
-        kiosk.say_for_operator(say.text);
-        if (!say.is_shown) kiosk.operator_caption_.clear();
+        kiosk.operator_caption_ = say.is_shown ? say.text : std::string();
+        kiosk.sound_->say({kiosk.language().code(), say.text, SpeechPriority::text});
     }
 
     void operator()(const Click&) const { kiosk.sound_->give(ScreenEvent::key_taken); }
@@ -90,11 +90,6 @@ void Kiosk::tell_of_recording(const std::string& notice) {
                              : "The recording could not be saved. The log says why.")});
 }
 
-void Kiosk::say_for_operator(const std::string& text) {
-    operator_caption_ = text;
-    sound_->say({language().code(), text, SpeechPriority::text});
-}
-
 void Kiosk::count_visit() {
     const auto length_s = length_.step(is_visit_on(visit_), now_s_);
     if (length_s && operator_) operator_->count_visit(*length_s / 60.0);
@@ -122,31 +117,35 @@ void Kiosk::follow_operator() {
     if (operator_->read_again()) set(operator_->settings());
 }
 
-void Kiosk::answer_test(TestStep step, bool has_passed, const std::string& line) {
+void Kiosk::run_test(TestStep step) {
+    if (step == TestStep::keys) return;  // the screens count them
+    const bool has_passed = passes(step);
+    const std::string line =
+        step == TestStep::device ? describe(live_facts(), hand(), force(), language()).message : "";
     tell_operator(TestAnswered{step, has_passed, line});
 }
 
-void Kiosk::run_test(TestStep step) {
+bool Kiosk::passes(TestStep step) {
     switch (step) {
         case TestStep::device:
-            return answer_test(step, force().fault == Fault::none && hand().ticks > 0,
-                               describe(live_facts(), hand(), force(), language()).message);
+            return force().fault == Fault::none && hand().ticks > 0;
+        case TestStep::camera:
+            return watched_.has_camera();
+        case TestStep::stick_port:
+            return sticks_ && sticks_->is_watching();
+        case TestStep::disk:
+            return operator_->can_write();
         case TestStep::motors:  // a person tells whether it was felt
             handle_.begin_motor_test();
-            return answer_test(step, true);
-        case TestStep::camera:
-            return answer_test(step, watched_.has_camera());
+            break;
         case TestStep::sound_left:
         case TestStep::sound_right:
             sound_->play_side(step == TestStep::sound_left);
-            return answer_test(step, true);
-        case TestStep::stick_port:
-            return answer_test(step, sticks_ && sticks_->is_watching());
-        case TestStep::disk:
-            return answer_test(step, operator_->can_write());
-        case TestStep::keys:  // the screens count them
-            return;
+            break;
+        case TestStep::keys:
+            break;
     }
+    return true;
 }
 
 /// The bounds of a level depend on the picture: without a line there are none.
