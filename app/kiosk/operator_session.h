@@ -3,7 +3,7 @@
 // Threads: one. Its calls read and write small files; a thread beside it reads sticks.
 #pragma once
 
-#include "app/kiosk/operator_stick.h"
+#include "app/kiosk/stick_source.h"
 #include "app/operator/counters.h"
 #include "app/operator/operator.h"
 #include "app/operator/pin_file.h"

@@ -24,6 +24,10 @@ class StickReader {
     explicit StickReader(const std::string& import_program) : import_(import_program) {}
 
     [[nodiscard]] Result<StickListing, StickRefusal> list(const std::string& root);
+    [[nodiscard]] Result<StickListing, StickRefusal> list_operator_files(const std::string& root);
+
+    [[nodiscard]] Result<Mapping, StickRefusal> bytes_of(const std::string& root,
+                                                         const StickEntry& entry);
 
     /// Opening an office file says what to do.
     [[nodiscard]] Result<Page> open(const std::string& root, const StickEntry& entry,
@@ -34,6 +38,8 @@ class StickReader {
     void forget();
 
   private:
+    using Lister = Result<StickListing, StickRefusal> (StickImport::*)(const std::string& root);
+
     /// The bytes of a file, and of the text file beside it if there is one.
     struct Bytes {
         std::string root;
@@ -45,6 +51,9 @@ class StickReader {
 
     using BytesPtr = std::shared_ptr<const Bytes>;
 
+    [[nodiscard]] Result<StickListing, StickRefusal> listed(Lister lister, const std::string& root);
+    [[nodiscard]] Result<Mapping, StickRefusal> mapped(const std::string& root,
+                                                       const StickEntry& entry);
     [[nodiscard]] Result<BytesPtr, StickRefusal> read(const std::string& root,
                                                       const StickEntry& entry);
     [[nodiscard]] BytesPtr last_of(const std::string& root, const StickEntry& entry) const;
@@ -58,14 +67,37 @@ class StickReader {
     BytesPtr last_;
 };
 
-/// Memory can run out anywhere; the visit goes on.
 Result<StickListing, StickRefusal> StickReader::list(const std::string& root) {
+    return listed(&StickImport::list, root);
+}
+
+Result<StickListing, StickRefusal> StickReader::list_operator_files(const std::string& root) {
+    return listed(&StickImport::list_operator_files, root);
+}
+
+/// Memory can run out anywhere; the visit goes on.
+Result<StickListing, StickRefusal> StickReader::listed(Lister lister, const std::string& root) {
     try {
         const std::lock_guard lock(mutex_);
-        return import_.list(root);
+        return (import_.*lister)(root);
     } catch (const std::exception&) {
         return tl::unexpected(StickRefusal::unreadable);
     }
+}
+
+Result<Mapping, StickRefusal> StickReader::bytes_of(const std::string& root,
+                                                    const StickEntry& entry) {
+    const std::lock_guard lock(mutex_);
+    return mapped(root, entry);
+}
+
+Result<Mapping, StickRefusal> StickReader::mapped(const std::string& root,
+                                                  const StickEntry& entry) {
+    const auto memory = import_.read(root, entry);
+    if (!memory) return tl::unexpected(memory.error());
+    auto mapped = map_sealed(*memory, most_bytes_of(entry.kind));
+    if (!mapped) return tl::unexpected(StickRefusal::unreadable);
+    return std::move(*mapped);
 }
 
 Result<Page> StickReader::open(const std::string& root, const StickEntry& entry,
@@ -108,12 +140,10 @@ auto StickReader::read(const std::string& root, const StickEntry& entry)
     const std::lock_guard lock(mutex_);
     if (auto known = last_of(root, entry)) return known;
     const std::uint64_t stick = stick_;
-    const auto document = import_.read(root, entry);
+    auto document = mapped(root, entry);
     if (!document) return tl::unexpected(document.error());
-    auto mapped = map_sealed(*document, most_bytes_of(entry.kind));
-    if (!mapped) return tl::unexpected(StickRefusal::unreadable);
     auto bytes = std::make_shared<const Bytes>(
-        Bytes{root, entry, std::move(*mapped), side_car(root, entry), stick});
+        Bytes{root, entry, std::move(*document), side_car(root, entry), stick});
     keep(bytes);
     return bytes;
 }
@@ -183,6 +213,47 @@ std::optional<FilesChange> StickSource::take(const StickEvent& event) {
 FilesChange StickSource::change_of(const Listed& listed) const {
     if (!listed) return {{}, sentence_of(listed.error(), ""), {}, false};
     return {files_of_stick(reader_, root_, *listed), "", listed->rest, true};
+}
+
+OperatorStick::OperatorStick(const std::string& import_program)
+    : reader_(std::make_shared<StickReader>(import_program)) {}
+
+void OperatorStick::look_at(const std::string& root) {
+    if (root == root_) return;
+    root_ = root;
+    files_.clear();
+    names_.clear();
+    is_due_ = !root.empty();
+}
+
+/// Drops a list of a stick that is gone by now, or that was plugged in again since.
+std::string OperatorStick::take(Listed listed) {
+    if (listed.root != root_ || is_due_) return {};
+    if (!listed.listing) return sentence_of(listed.listing.error(), "");
+    files_ = std::move(listed.listing->entries);
+    for (const StickEntry& file : files_)
+        names_.push_back(shown_name(std::filesystem::path(file.name).stem().string()));
+    return {};
+}
+
+std::string OperatorStick::poll() {
+    std::string sentence;
+    const bool has_ended =
+        listing_.valid() && listing_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+    if (has_ended) sentence = take(listing_.get());
+    if (is_due_ && !listing_.valid()) {
+        is_due_ = false;
+        listing_ = std::async(std::launch::async, [reader = reader_, root = root_] {
+            return Listed{root, reader->list_operator_files(root)};
+        });
+    }
+    return sentence;
+}
+
+std::function<Result<Mapping, StickRefusal>()> OperatorStick::reader_of(std::size_t file) const {
+    return [reader = reader_, root = root_, entry = files_.at(file)] {
+        return reader->bytes_of(root, entry);
+    };
 }
 
 }  // namespace touchline

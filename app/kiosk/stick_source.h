@@ -1,9 +1,10 @@
-// What a stick offers, as sticks come and go: the interface that the kiosk uses, and the real
-// sticks, whose bytes touchline-import reads.
+// What a stick offers, as sticks come and go: to visitors, by the interface that the kiosk uses and
+// by the real sticks, and to the operator. touchline-import lists them and reads their bytes.
 // Threads: one; no call waits. A thread beside it lists a stick; any thread may open its files.
 #pragma once
 
 #include "app/loading/stages.h"
+#include "app/process/memory.h"
 #include "app/sticks/listing.h"
 #include "app/sticks/mount_options.h"
 #include "app/sticks/refusal.h"
@@ -11,6 +12,7 @@
 #include "config/types/result.h"
 
 #include <cstdint>
+#include <functional>
 #include <future>
 #include <memory>
 #include <optional>
@@ -86,6 +88,46 @@ class StickSource final : public FileSource {
     std::shared_ptr<StickReader> reader_;
     std::string root_;     // root of the plugged-in stick; empty: none
     bool is_due_ = false;  // root_ is to be listed once the listing before it has ended
+    std::future<Listed> listing_;
+};
+
+/// Picture packs and networks on the operator's stick, listed on a thread beside the screen's.
+class OperatorStick {
+  public:
+    /// `import_program`: the path of touchline-import.
+    explicit OperatorStick(const std::string& import_program);
+
+    /// Sets the stick that is plugged in; empty: none, and forgets the list. Does not ask again for
+    /// a stick that is listed already.
+    void look_at(const std::string& root);
+
+    /// Takes over a list that has been read. Returns one sentence if it could not be read; else
+    /// empty.
+    [[nodiscard]] std::string poll();
+
+    /// The files' names for the screen, in the order of their numbers.
+    [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
+
+    /// The number must be below names().size().
+    [[nodiscard]] StickFileKind kind_of(std::size_t file) const { return files_.at(file).kind; }
+
+    /// A function that reads the file, on any thread, and waits for the stick: its bytes in sealed
+    /// memory. The number must be below names().size().
+    [[nodiscard]] std::function<Result<Mapping, StickRefusal>()> reader_of(std::size_t file) const;
+
+  private:
+    struct Listed {
+        std::string root;
+        Result<StickListing, StickRefusal> listing;
+    };
+
+    [[nodiscard]] std::string take(Listed listed);
+
+    std::shared_ptr<StickReader> reader_;
+    std::string root_;
+    bool is_due_ = false;  // root_ is to be listed once the list before it has ended
+    std::vector<StickEntry> files_;
+    std::vector<std::string> names_;
     std::future<Listed> listing_;
 };
 

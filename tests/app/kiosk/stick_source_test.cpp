@@ -2,7 +2,6 @@
 // touchline-import, real workers.
 #include "app/kiosk/stick_source.h"
 
-#include "app/kiosk/operator_stick.h"
 #include "app/sticks/folder_port.h"
 #include "tests/app/decode/files_of_formats.h"
 #include "tests/app/sticks/stick_folder.h"
