@@ -1,7 +1,6 @@
 // Tests the operator's levels and detail through the whole kiosk, from the key to the force on the
 // handle.
 #include "tests/app/kiosk/blind_visitor.h"
-#include "tests/app/kiosk/felt_wall.h"
 
 #include <algorithm>
 #include <array>
