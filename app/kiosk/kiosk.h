@@ -12,7 +12,6 @@
 #include "app/kiosk/operator_session.h"
 #include "app/kiosk/photo_capture.h"
 #include "app/kiosk/pictures.h"
-#include "app/kiosk/site_clock.h"
 #include "app/kiosk/stick_source.h"
 #include "app/kiosk/watched.h"
 #include "app/loading/loader.h"

@@ -240,21 +240,10 @@ bool OperatorSession::read_again() {
 }
 
 OperatorWorld OperatorSession::world(const Language& language, double now_s) const {
-    OperatorWorld world{language,
-                        now_s,
-                        has_pin(),
-                        facts_.is_private,
-                        site_,
-                        sound_,
-                        keys_,
-                        languages_,
-                        {},
-                        counters_,
-                        stick_.names(),
-                        facts_.live,
-                        facts_.kind,
-                        facts_.bounds,
-                        facts_.device_words};
+    const auto& [is_private, live, kind, bounds, device_words] = facts_;
+    OperatorWorld world{language,       now_s, has_pin(),  is_private, site_,
+                        sound_,         keys_, languages_, {},         counters_,
+                        stick_.names(), live,  kind,       bounds,     device_words};
     for (const Profile& profile : profiles_) world.profiles.push_back({profile.name, profile.rows});
     return world;
 }
