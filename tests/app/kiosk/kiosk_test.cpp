@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <optional>
 
 #include <gtest/gtest.h>
 
@@ -93,6 +94,64 @@ TEST(Kiosk, AStickThatComesAtGoodbyeIsTheNextVisitors) {
     visitor.press(KeyRole::select);
     ASSERT_TRUE(visitor.choose("English"));
     EXPECT_TRUE(visitor.choose("Your USB stick, 1 picture")) << visitor.heard();
+}
+
+TEST(Watched, IsToldOnceAtEachChange) {
+    Watched watched;
+    EXPECT_FALSE(watched.headphones(std::nullopt));
+    EXPECT_TRUE(watched.headphones(false));
+    EXPECT_FALSE(watched.headphones(false));
+    EXPECT_TRUE(watched.listing(true));
+    EXPECT_FALSE(watched.listing(true));
+    EXPECT_FALSE(watched.listing(false)) << "what was found tells it";
+    EXPECT_FALSE(watched.trouble(TroubleKind::sound, ""));
+    const auto began = watched.trouble(TroubleKind::sound, "There is no sound.");
+    EXPECT_TRUE(began && std::holds_alternative<TroubleBegan>(*began));
+    EXPECT_FALSE(watched.trouble(TroubleKind::sound, "There is no sound."));
+    const auto ended = watched.trouble(TroubleKind::sound, "");
+    EXPECT_TRUE(ended && std::holds_alternative<TroubleEnded>(*ended));
+}
+
+TEST(SiteHours, AreLookedAtOnceASecond) {
+    int minute = 8 * 60;
+    SiteHours hours([&minute] { return minute; });
+    Settings settings;
+    settings.opening_hours = "09:00-17:00";
+    settings.quiet_hours = "08:00-09:00";
+    const auto early = hours.look(0.0, settings);
+    ASSERT_TRUE(early && early->change);
+    EXPECT_EQ(early->change->opening, SiteOpening::closed);
+    EXPECT_TRUE(early->is_quiet);
+    minute = 10 * 60;
+    EXPECT_FALSE(hours.look(0.9, settings));
+    const auto late = hours.look(1.0, settings);
+    ASSERT_TRUE(late && late->change);
+    EXPECT_EQ(late->change->opening, SiteOpening::open);
+    EXPECT_FALSE(late->is_quiet);
+    hours.look_again();
+    const auto again = hours.look(1.1, settings);
+    ASSERT_TRUE(again);
+    EXPECT_FALSE(again->change);
+}
+
+TEST(SiteHours, WithoutAClockAreAlwaysOpenAndNeverQuiet) {
+    SiteHours hours({});
+    Settings settings;
+    settings.opening_hours = "09:00-17:00";
+    settings.quiet_hours = "00:00-24:00";
+    const auto now = hours.look(0.0, settings);
+    ASSERT_TRUE(now);
+    EXPECT_FALSE(now->change);
+    EXPECT_FALSE(now->is_quiet);
+}
+
+TEST(VisitLength, IsKnownWhenTheVisitEnds) {
+    VisitLength length;
+    EXPECT_FALSE(length.step(false, 10.0));
+    EXPECT_FALSE(length.step(true, 20.0));
+    EXPECT_FALSE(length.step(true, 50.0));
+    EXPECT_EQ(length.step(false, 80.0), 60.0);
+    EXPECT_FALSE(length.step(false, 90.0));
 }
 
 TEST(MissingParts, ArePatientlyWaitedForAndToldOnce) {
