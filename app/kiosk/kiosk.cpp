@@ -85,7 +85,7 @@ Kiosk::Kiosk(KioskParts parts)
     : languages_(std::move(parts.languages)),
       settings_(std::move(parts.settings)),
       pictures_(std::move(parts.gallery)),
-      handle_(std::move(parts.servo), std::move(parts.profile), settings_),
+      handle_(std::move(parts.servo), parts.profile, settings_),
       sound_(std::move(parts.sound)),
       picture_(std::move(parts.loader)),
       sticks_(std::move(parts.sticks)),

@@ -19,9 +19,9 @@ constexpr std::array guidance_kinds{GuidanceKind::none, GuidanceKind::tour, Guid
 
 }  // namespace
 
-KioskHandle::KioskHandle(std::unique_ptr<ServoClient> servo, DeviceProfile profile,
+KioskHandle::KioskHandle(std::unique_ptr<ServoClient> servo, const DeviceProfile& profile,
                          const Settings& settings)
-    : servo_(std::move(servo)), profile_(std::move(profile)), settings_(settings) {}
+    : servo_(std::move(servo)), profile_(profile), settings_(settings) {}
 
 void KioskHandle::carry_out(const Feel& feel) {
     feel_ = feel;

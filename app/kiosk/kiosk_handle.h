@@ -18,7 +18,7 @@ namespace touchline {
 class KioskHandle {
   public:
     /// `settings` are the kiosk's: each call uses them as they are then.
-    KioskHandle(std::unique_ptr<ServoClient> servo, DeviceProfile profile,
+    KioskHandle(std::unique_ptr<ServoClient> servo, const DeviceProfile& profile,
                 const Settings& settings);
 
     /// The time of all that follows.
