@@ -1,9 +1,6 @@
 #include "app/kiosk/kiosk.h"
 
-#include "app/kiosk/picture_facts.h"
-#include "app/loading/kiosk_stages.h"
 #include "app/session/fault_words.h"
-#include "app/session/proxy_radius.h"
 #include "app/session/told_lines.h"
 #include "app/sticks/stick_words.h"
 #include "audio-cues/cues/cue_table.h"
@@ -16,10 +13,8 @@
 namespace touchline {
 namespace {
 
-constexpr double tick_s = 0.05;    // the visit's tick
-constexpr double sign_s = 1.0;     // how long the sign of a sound stays
-constexpr double moved_m = 0.002;  // a smaller motion is no sign of a person
-constexpr double tour_m_per_s = 0.035;
+constexpr double tick_s = 0.05;  // the visit's tick
+constexpr double sign_s = 1.0;   // how long the sign of a sound stays
 
 /// The index of the language with this code; 0 if there is none.
 std::size_t place_of(const std::string& code, const std::vector<Language>& languages) {
@@ -47,34 +42,25 @@ struct Kiosk::VisitOrderHandler {
     void operator()(const GiveCue& cue) const {
         if (kiosk.is_operator_in()) return;
         kiosk.sound_->give(cue.event);
-        kiosk.sign_ = cue.event;
-        kiosk.signed_s_ = kiosk.now_s_;
+        kiosk.sign_ = {cue.event, kiosk.now_s_};
     }
 
     void operator()(const GivePattern& pattern) const {
-        if (kiosk.is_operator_in()) return;
-        kiosk.pattern_.pattern = pattern.pattern;
-        ++kiosk.pattern_.serial;
-        kiosk.set_servo();
+        if (!kiosk.is_operator_in()) kiosk.handle_.carry_out(pattern);
     }
 
-    void operator()(const LoadPicture& order) const { kiosk.load(order); }
-
-    /// A better version of it does not come later either.
-    void operator()(const CancelLoad&) const {
-        kiosk.loader_->cancel();
-        kiosk.stay_with_felt();
+    void operator()(const LoadPicture& order) const {
+        kiosk.tell(kiosk.picture_.want(order, kiosk.visit_.visitor, kiosk.pictures_.of(order),
+                                       kiosk.language()));
     }
 
-    void operator()(const Feel& feel) const {
-        kiosk.feel_ = feel;
-        kiosk.set_servo();
-    }
+    void operator()(const CancelLoad&) const { kiosk.picture_.cancel(); }
 
-    void operator()(const Guide& guide) const { kiosk.guide(guide); }
+    void operator()(const Feel& feel) const { kiosk.handle_.carry_out(feel); }
+
+    void operator()(const Guide& guide) const { kiosk.handle_.carry_out(guide); }
 
     void operator()(const CameraPreview& preview) const {
-        kiosk.is_previewing_ = preview.is_on;
         if (kiosk.photos_) kiosk.photos_->show(preview.is_on);
     }
 
@@ -97,22 +83,19 @@ struct Kiosk::VisitOrderHandler {
 
 Kiosk::Kiosk(KioskParts parts)
     : languages_(std::move(parts.languages)),
+      settings_(std::move(parts.settings)),
       pictures_(std::move(parts.gallery)),
-      servo_(std::move(parts.servo)),
+      handle_(std::move(parts.servo), parts.profile, settings_),
       sound_(std::move(parts.sound)),
-      loader_(std::move(parts.loader)),
+      picture_(std::move(parts.loader)),
       sticks_(std::move(parts.sticks)),
       photos_(std::move(parts.photos)),
-      settings_(std::move(parts.settings)),
-      profile_(std::move(parts.profile)),
-      hand_words_(std::move(parts.hand_words)),
-      hand_name_(std::move(parts.hand_name)),
-      reading_language_(std::move(parts.reading_language)),
       operator_(std::move(parts.operator_session)),
-      are_keys_always_free_(parts.are_keys_free),
-      minute_of_day_(std::move(parts.minute_of_day)),
-      keys_(std::move(parts.keys)),
-      filter_(settings_.double_strike_s) {
+      keys_{std::move(parts.keys), KeyFilter(settings_.double_strike_s), {}, parts.are_keys_free},
+      hours_(std::move(parts.minute_of_day)),
+      reading_language_(std::move(parts.reading_language)) {
+    device_facts_.hand_words = std::move(parts.hand_words);
+    device_facts_.hand_name = std::move(parts.hand_name);
     follow_rules();
     rules_.has_camera = photos_ != nullptr;
     rules_.has_stick_port = sticks_ != nullptr;
@@ -123,6 +106,10 @@ void Kiosk::apply(const VisitEvent& event) {
     take(touchline::step(visit_, event, world()));
 }
 
+void Kiosk::tell(const std::optional<VisitEvent>& event) {
+    if (event) apply(*event);
+}
+
 void Kiosk::take(VisitStep step) {
     visit_ = std::move(step.visit);
     for (const VisitOrder& order : step.orders) std::visit(VisitOrderHandler{*this}, order);
@@ -131,11 +118,11 @@ void Kiosk::take(VisitStep step) {
 
 void Kiosk::set(const Settings& settings) {
     if (settings.double_strike_s != settings_.double_strike_s)
-        filter_ = KeyFilter(settings.double_strike_s);
+        keys_.filter = KeyFilter(settings.double_strike_s);
     const Settings before = std::exchange(settings_, settings);
     follow_rules();
     apply(SettingsChanged{before});
-    set_servo();
+    handle_.set_servo();
 }
 
 void Kiosk::follow_rules() {
@@ -159,130 +146,49 @@ void Kiosk::follow_rules() {
                       settings_.cut_top_percent, settings_.cut_bottom_percent});
 }
 
-void Kiosk::set_servo() {
-    ServoCommands commands;
-    commands.mode = feel_.mode;
-    commands.stiffness_N_per_m =
-        stiffness_steps.at(feel_.stiffness).share * settings_.stiffness_N_per_m;
-    commands.radius_m = proxy_radius_m;
-    commands.pop_through_N = settings_.has_pop_through ? settings_.pop_through_N : 0.0;
-    commands.friction = settings_.friction;
-    commands.capture_m = settings_.capture_mm / 1000.0;
-    commands.finest_level = settings_.finest_level;
-    commands.coarsest_level = settings_.coarsest_level;
-    commands.is_level_auto = settings_.is_level_automatic;
-    commands.level = settings_.fixed_level;
-    commands.is_force_wanted = (feel_.is_force_wanted || is_motor_test_on()) && !is_handle_locked_;
-    commands.force_ceiling_N = settings_.force_ceiling_N;
-    commands.guidance = guidance_;
-    commands.pattern = pattern_;
-    commands.is_emergency_stop = is_emergency_stop_;
-    commands.faults_cleared = faults_cleared_;
-    commands.shape = feel_.shape;
-    commands.turn_rad = feel_.turn_rad;
-    servo_->set(commands);
-}
-
-/// Another part or detail of what a visitor brought comes from that same file, whatever is at its
-/// place in the list by now.
-FilePtr Kiosk::file_of_order(const LoadPicture& order) const {
-    const auto& loading = visit_.visitor.loading;
-    const bool is_again = loading && loading->order.request == order.request &&
-                          loading->reason != LoadReason::other_picture;
-    const bool is_visitors =
-        order.source == PictureSource::stick || order.source == PictureSource::camera;
-    return is_again && is_visitors && felt_file_ ? felt_file_ : pictures_.of(order);
-}
-
-void Kiosk::load(const LoadPicture& order) {
-    order_ = order;
-    const FilePtr file = file_of_order(order);
-    if (file == nullptr) {
-        apply(PictureFailed{order.request, language().text("kiosk",
-                                                           "This picture is gone. "
-                                                           "Choose another one.")});
-        return;
-    }
-    wanted_ = file;
-    is_loading_ = true;
-    const Zoom zoom{order.zoom.centre, order.zoom.factor};
-    loader_->want(order.request,
-                  {file, order.page, order.view, {order.detail, zoom}, order.thing_at});
-}
-
-void Kiosk::stay_with_felt() {
-    is_loading_ = false;
-    order_ = felt_order_;
-    wanted_ = felt_file_;
-}
-
-void Kiosk::guide(const Guide& guide) {
-    ++guidance_.serial;
-    guidance_.kind = GuidanceKind::none;
-    guidance_.place = guide.place_W;
-    guidance_.outline = -1;
-    guidance_.speed_m_per_s = tour_m_per_s;
-    is_guiding_ = guide.kind != GuideKind::stop;
-    if (guide.kind == GuideKind::outline) {
-        guidance_.kind = GuidanceKind::tour;
-        guidance_.outline = guide.outline;
-    } else if (guide.kind == GuideKind::to_place) {
-        guidance_.kind = GuidanceKind::to_place;
-    } else if (guide.kind == GuideKind::bring_back) {
-        guidance_.kind = GuidanceKind::to_line;
-    }
-    set_servo();
-}
-
 void Kiosk::wipe() {
-    is_loading_ = false;
-    loader_->forget();
+    picture_.forget();
     pictures_.forget();
     if (photos_) photos_->forget();
     sound_->forget();
-    wanted_.reset();
-    felt_file_.reset();
-    shown_ = {};
-    map_.reset();
-    parts_.clear();
-    order_ = {};
-    felt_order_ = {};
-    servo_->feel(nothing_to_feel(profile_));
-    servo_->forget_recording();
+    handle_.wipe();
 }
 
 void Kiosk::step(std::int64_t now_ns) {
-    const double now_s = 1e-9 * static_cast<double>(now_ns);
-    now_s_ = now_s;
+    now_s_ = 1e-9 * static_cast<double>(now_ns);
+    handle_.set_time(now_s_);
     follow_headphones();
     follow_stick(now_ns);
     follow_loader();
-    follow_camera(now_s);
-    hand_ = servo_->latest();
-    force_ = servo_->force_status();
-    if (now_s - ticked_s_ >= tick_s) {
-        ticked_s_ = now_s;
-        follow_servo();
-        follow_troubles();
-        apply(Tick{now_s});
-        if (settings_.two_switches == SwitchUse::by_itself && !is_operator_in())
-            press_switch(SwitchEvent::tick);
-        follow_operator();
-    }
-    sound_->step({hand_, shown_.scene.get(), target()});
+    follow_camera();
+    handle_.look();
+    if (now_s_ - ticked_s_ >= tick_s) tick();
+    sound_->step({hand(), shown().scene.get(), handle_.target()});
+}
+
+void Kiosk::tick() {
+    ticked_s_ = now_s_;
+    follow_handle();
+    follow_troubles();
+    apply(Tick{now_s_});
+    if (settings_.two_switches == SwitchUse::by_itself && !is_operator_in())
+        press_switch(SwitchEvent::tick);
+    count_visit();
+    follow_hours();
+    follow_operator();
 }
 
 std::string Kiosk::sound_sign() const {
-    if (!sign_ || now_s_ - signed_s_ > sign_s) return {};
-    const EventRow& row = screen_rows()[static_cast<std::size_t>(*sign_)];
+    if (!sign_ || now_s_ - sign_->since_s > sign_s) return {};
+    const EventRow& row = screen_rows()[static_cast<std::size_t>(sign_->event)];
     return row.cue ? words_of(*row.cue, language()) : std::string();
 }
 
 void Kiosk::follow_headphones() {
-    const std::optional<bool> are_in = sound_->are_headphones_in();
-    if (are_in == std::exchange(are_headphones_in_, are_in)) return;
+    const auto change = watched_.headphones(sound_->are_headphones_in());
+    if (!change) return;
     follow_rules();
-    apply(HeadphonesChanged{are_in.value_or(true)});
+    apply(*change);
 }
 
 void Kiosk::offer(std::vector<FilePtr> files, const StickRest& rest) {
@@ -296,73 +202,41 @@ void Kiosk::follow_stick(std::int64_t now_ns) {
     if (!sticks_) return;
     auto change = sticks_->poll(now_ns);
     follow_part(Part::sticks, sticks_->is_watching());
-    const bool was_listing = std::exchange(is_listing_, sticks_->is_listing());
-    if (change && !change->files.empty()) {
-        offer(std::move(change->files), change->rest);
-    } else if (change) {
-        pictures_.put_stick({});
-        apply(StickGone{change->is_read
-                            ? nothing_words(change->rest, language())
-                            : told_of_file(change->sentence, stick_trouble, language())});
-    } else if (is_listing_ && !was_listing) {
-        apply(StickArriving{});
-    }
+    const auto arriving = watched_.listing(sticks_->is_listing());
+    if (!change) return tell(arriving);
+    if (!change->files.empty()) return offer(std::move(change->files), change->rest);
+    pictures_.put_stick({});
+    apply(StickGone{change->is_read ? nothing_words(change->rest, language())
+                                    : told_of_file(change->sentence, stick_trouble, language())});
 }
 
 void Kiosk::follow_loader() {
-    for (Delivery& delivery : loader_->poll()) take(std::move(delivery));
-    if (const auto things = loader_->take_things()) {
+    for (const Delivery& delivery : picture_.poll()) {
+        const auto news = picture_.take(delivery, language());
+        if (!news) continue;
+        if (!news->line.empty()) report(news->line);
+        if (news->felt) handle_.servo().feel(*news->felt);
+        if (news->felt && operator_ && !news->is_better)
+            operator_->count_picture(picture_.order().source);
+        apply(news->event);
+    }
+    if (const auto things = picture_.take_things()) {
         if (!things->why_not.empty())
             report("a photograph's main thing was not looked for: " + things->why_not);
         apply(ThingsLookedFor{things->request, things->place, things->names});
     }
 }
 
-void Kiosk::take(Delivery delivery) {
-    if (delivery.request != order_.request || !wanted_) return;
-    if (!delivery.scene) return refuse(delivery.request, delivery.scene.error().line);
-    if (!std::exchange(is_loading_, false) && !delivery.is_better) return;
-    shown_ = delivery.scene->shown;
-    map_ = delivery.scene->felt.map;
-    felt_file_ = wanted_;
-    felt_order_ = order_;
-    PictureFacts facts = facts_of(*delivery.scene, *wanted_, order_.form, language());
-    parts_ = facts.parts;
-    servo_->feel(delivery.scene->felt);
-    if (operator_ && !delivery.is_better) operator_->count_picture(order_.source);
-    apply(PictureReady{delivery.request, std::move(facts)});
-}
-
-/// Removes the file's name, which begins every line about it, tells nothing and may hold anything.
-std::string Kiosk::told_reason(const std::string& line) const {
-    const std::string& name = wanted_->name;
-    return told_of_file(line.starts_with(name) ? line.substr(name.size()) : line, picture_trouble,
-                        language());
-}
-
-void Kiosk::refuse(std::uint64_t request, const std::string& line) {
-    const bool is_answer = line == nothing_there;
-    if (!is_answer) report(wanted_->is_private ? "a visitor's picture cannot be felt" : line);
-    const std::string sentence =
-        order_.thing_at
-            ? language().text("trouble", is_answer ? line
-                                                   : "The main thing cannot be looked for "
-                                                     "now.")
-            : told_reason(line);
-    stay_with_felt();
-    apply(PictureFailed{request, sentence});
-}
-
-void Kiosk::follow_camera(double now_s) {
+void Kiosk::follow_camera() {
     if (!photos_) return;
-    PhotoNews news = photos_->step(now_s);
-    const bool has_camera = news.condition != CameraCondition::absent;
-    if (has_camera != std::exchange(has_camera_, has_camera)) apply(CameraChanged{has_camera});
-    follow_part(Part::camera, has_camera);
-    trouble(TroubleKind::camera,
-            news.condition == CameraCondition::stopped
-                ? language().text("camera", std::string(sentence(news.condition)))
-                : "");
+    PhotoNews news = photos_->step(now_s_);
+    const bool is_there = news.condition != CameraCondition::absent;
+    tell(watched_.camera(is_there));
+    follow_part(Part::camera, is_there);
+    tell(watched_.trouble(TroubleKind::camera,
+                          news.condition == CameraCondition::stopped
+                              ? language().text("camera", std::string(sentence(news.condition)))
+                              : ""));
     if (news.photo && visit_.visitor.is_capturing) {
         pictures_.put_photo(std::move(news.photo));
         apply(CameraCaptured{news.is_doubtful});
@@ -372,43 +246,22 @@ void Kiosk::follow_camera(double now_s) {
 }
 
 std::shared_ptr<const Canvas> Kiosk::preview() const {
-    return photos_ && is_previewing_ && settings_.is_preview_allowed ? photos_->preview() : nullptr;
+    return photos_ && settings_.is_preview_allowed ? photos_->preview() : nullptr;
 }
 
-void Kiosk::follow_servo() {
-    HandleSeen seen;
-    seen.place_W = hand_.p_WH;
-    seen.speed_m_per_s = hand_.speed_m_per_s;
-    if (map_) seen.part = part_at(*map_, parts_, hand_);
-    seen.has_moved = norm(hand_.p_WH - last_seen_W_) > moved_m;
-    if (seen.has_moved) last_seen_W_ = hand_.p_WH;
-    const GuidancePhase phase = hand_.guidance.phase;
-    seen.is_led = phase == GuidancePhase::running || phase == GuidancePhase::pausing;
+void Kiosk::follow_handle() {
+    HandleSeen seen = handle_.take_seen();
+    seen.part = picture_.part_at(hand());
     // The operator's hand keeps a visit alive, but begins none.
     if (is_operator_in()) seen.has_moved = is_visit_on(visit_);
     apply(seen);
-    follow_guidance();
-}
-
-void Kiosk::follow_guidance() {
-    const GuidanceStatus& status = hand_.guidance;
-    if (!is_guiding_ || status.serial != guidance_.serial) return;
-    const bool has_arrived = status.phase == GuidancePhase::arrived;
-    if (!has_arrived && status.phase != GuidancePhase::stopped) return;
-    is_guiding_ = false;
-    apply(GuidanceEnded{has_arrived});
-}
-
-/// While the handle is led to a place, cues tell the way.
-std::optional<Position> Kiosk::target() const {
-    if (!is_guiding_ || guidance_.kind != GuidanceKind::to_place) return std::nullopt;
-    return guidance_.place;
+    tell(handle_.take_guidance_end());
 }
 
 void Kiosk::follow_troubles() {
-    trouble(TroubleKind::device, device_trouble());
+    tell(watched_.trouble(TroubleKind::device, device_trouble()));
     const std::string silence = sound_->problem();
-    trouble(TroubleKind::sound, silence);
+    tell(watched_.trouble(TroubleKind::sound, silence));
     follow_part(Part::sound, silence.empty());
 }
 
@@ -418,18 +271,8 @@ void Kiosk::follow_part(Part part, bool is_there) {
 }
 
 std::string Kiosk::device_trouble() const {
-    if (force_.fault != Fault::none) return spoken_fault(force_.fault, language());
-    return told_of_device(servo_->device_words(), language());
-}
-
-void Kiosk::trouble(TroubleKind kind, const std::string& sentence) {
-    std::string& told = troubles_[static_cast<std::size_t>(kind)];
-    if (sentence == told) return;
-    told = sentence;
-    if (sentence.empty())
-        apply(TroubleEnded{kind});
-    else
-        apply(TroubleBegan{kind, sentence});
+    if (force().fault != Fault::none) return spoken_fault(force().fault, language());
+    return told_of_device(handle_.servo().device_words(), language());
 }
 
 void Kiosk::report(const std::string& line) {
@@ -438,8 +281,22 @@ void Kiosk::report(const std::string& line) {
     report_ += plain + '\n';
 }
 
+LiveFacts Kiosk::live_facts() const {
+    LiveFacts facts = device_facts_;
+    facts.last = sound_->last_event();
+    facts.has_pop_through = settings_.has_pop_through;
+    facts.message = told_of_device(handle_.servo().device_words(), language(), ToldTo::staff);
+    const TactileMap* const map = picture_.map();
+    if (map == nullptr) return facts;
+    if (visit_.visitor.felt) facts.place = visit_.visitor.felt->facts.place;
+    facts.title = map->title;
+    facts.detail = picture_.order().detail;
+    if (shown().scene) facts.coarsest_level = shown().scene->curves.coarsest();
+    return facts;
+}
+
 std::string Kiosk::take_report() {
-    const std::string notice = servo_->take_notice();
+    const std::string notice = handle_.servo().take_notice();
     if (!notice.empty()) report(notice);
     tell_of_recording(notice);
     return std::exchange(report_, {});
@@ -447,7 +304,7 @@ std::string Kiosk::take_report() {
 
 void Kiosk::stop() {
     if (sticks_) sticks_->end_session();
-    servo_->stop();
+    handle_.servo().stop();
 }
 
 }  // namespace touchline

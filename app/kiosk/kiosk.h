@@ -7,16 +7,15 @@
 #pragma once
 
 #include "app/decode/reading_order.h"
-#include "app/keys/key_filter.h"
-#include "app/keys/two_switches.h"
-#include "app/kiosk/file_source.h"
-#include "app/kiosk/missing_parts.h"
+#include "app/kiosk/kiosk_handle.h"
+#include "app/kiosk/kiosk_keys.h"
 #include "app/kiosk/operator_session.h"
 #include "app/kiosk/photo_capture.h"
 #include "app/kiosk/pictures.h"
+#include "app/kiosk/stick_source.h"
+#include "app/kiosk/watched.h"
 #include "app/loading/loader.h"
 #include "app/servo/servo_client.h"
-#include "app/session/keys.h"
 #include "app/session/status.h"
 #include "app/session/visit.h"
 #include "app/sound/visitor_sound.h"
@@ -24,7 +23,6 @@
 #include "config/settings/settings.h"
 #include "haptics/pantograph/profile.h"
 
-#include <array>
 #include <atomic>
 #include <cstdint>
 #include <functional>
@@ -61,6 +59,11 @@ struct KioskParts {
 class Kiosk {
   public:
     explicit Kiosk(KioskParts parts);
+    ~Kiosk() = default;
+    Kiosk(const Kiosk&) = delete;  // the handle refers to the settings
+    Kiosk(Kiosk&&) = delete;
+    Kiosk& operator=(const Kiosk&) = delete;
+    Kiosk& operator=(Kiosk&&) = delete;
 
     /// A key of a keyboard, keypad or joystick changed, at a time of step()'s clock. The table of
     /// keys decides its meaning, then the staff's table (app/session/keys.h); else it is a dead
@@ -105,11 +108,11 @@ class Kiosk {
     /// The visual sign of the last sound, for one second; then nothing.
     [[nodiscard]] std::string sound_sign() const;
 
-    [[nodiscard]] const HandState& hand() const { return hand_; }
+    [[nodiscard]] const HandState& hand() const { return handle_.hand(); }
 
-    [[nodiscard]] const ForceStatus& force() const { return force_; }
+    [[nodiscard]] const ForceStatus& force() const { return handle_.force(); }
 
-    [[nodiscard]] const ShownScene& shown() const { return shown_; }
+    [[nodiscard]] const ShownScene& shown() const { return picture_.shown(); }
 
     /// The camera's view while it is to be shown; else null.
     [[nodiscard]] std::shared_ptr<const Canvas> preview() const;
@@ -136,120 +139,76 @@ class Kiosk {
     struct VisitOrderHandler;
     struct OperatorOrderHandler;
 
-    [[nodiscard]] VisitWorld world() const { return {languages_, settings_, titles(), rules_}; }
+    /// The visual sign of a sound.
+    struct Sign {
+        ScreenEvent event;
+        double since_s;
+    };
 
-    [[nodiscard]] const std::vector<std::vector<GalleryTitle>>& titles() const {
-        return pictures_.titles();
+    [[nodiscard]] VisitWorld world() const {
+        return {languages_, settings_, pictures_.titles(), rules_};
     }
 
     void apply(const VisitEvent& event);
-    void act(Action action);
-    void press_for_visit(KeyRole role);
-    void tell_operator(const OperatorEvent& event);
-    void strike_key(const KeyStruck& struck);
-    [[nodiscard]] bool are_keys_free() const;
-    [[nodiscard]] bool takes_operator_keys() const;
-    void keep_recording();
-    void tell_of_recording(const std::string& notice);
-    void follow_operator();
-    void follow_hours();
-    void run_test(TestStep step);
-    void follow_motor_test();
-
-    [[nodiscard]] bool is_motor_test_on() const {
-        constexpr double motor_test_lasts_s = 2.5;
-        return motor_test_s_ > 0.0 && now_s_ - motor_test_s_ < motor_test_lasts_s;
-    }
-
-    void answer_test(TestStep step, bool has_passed, const std::string& line = {});
-    void say_for_operator(const std::string& text);
-    [[nodiscard]] std::vector<std::string> live_words() const;
-    [[nodiscard]] FeltBounds felt_bounds() const;
-    void press_switch(SwitchEvent event);
-
     void take(VisitStep step);
+    void tell(const std::optional<VisitEvent>& event);
+    void wipe();
     void follow_rules();
+
+    // What a step follows.
     void follow_headphones();
     void follow_stick(std::int64_t now_ns);
     void follow_loader();
-    void follow_camera(double now_s);
-    void follow_servo();
-    void follow_guidance();
+    void follow_camera();
+    void tick();
+    void follow_handle();
     void follow_troubles();
     void follow_part(Part part, bool is_there);
-    void trouble(TroubleKind kind, const std::string& sentence);
-    void take(Delivery delivery);
-    void refuse(std::uint64_t request, const std::string& line);
-    void stay_with_felt();
-    void load(const LoadPicture& order);
-    [[nodiscard]] FilePtr file_of_order(const LoadPicture& order) const;
-    void guide(const Guide& guide);
-    void set_servo();
-    void wipe();
-    void report(const std::string& line);
     [[nodiscard]] std::string device_trouble() const;
-    [[nodiscard]] std::string told_reason(const std::string& line) const;
-    [[nodiscard]] std::optional<Position> target() const;
+    void report(const std::string& line);
+
+    // Keys: kiosk_keys.cpp.
+    void act(Action action);
+    void press_for_visit(KeyRole role);
+    void press_switch(SwitchEvent event);
+    void strike_key(const KeyStruck& struck);
+    [[nodiscard]] bool are_keys_free() const;
+    [[nodiscard]] bool takes_operator_keys() const;
+
+    // The operator: kiosk_operator.cpp.
+    void tell_operator(const OperatorEvent& event);
+    void tell_of_recording(const std::string& notice);
+    void count_visit();
+    void follow_hours();
+    void follow_operator();
+    void run_test(TestStep step);
+    [[nodiscard]] bool passes(TestStep step);
+    [[nodiscard]] std::vector<std::string> live_words() const;
+    [[nodiscard]] FeltBounds felt_bounds() const;
 
     std::vector<Language> languages_;
+    Settings settings_;
+    VisitRules rules_;
     Pictures pictures_;
-    std::unique_ptr<ServoClient> servo_;
+    KioskHandle handle_;
     std::unique_ptr<VisitorSound> sound_;
-    std::unique_ptr<Loader> loader_;
+    OrderedPicture picture_;
     std::unique_ptr<FileSource> sticks_;
     std::unique_ptr<PhotoCapture> photos_;
-    Settings settings_;
-    DeviceProfile profile_;
-    std::string hand_words_;
-    std::string hand_name_;
-    VisitRules rules_;
-    std::shared_ptr<std::atomic<WrittenLanguage>> reading_language_;
-
     std::unique_ptr<OperatorSession> operator_;
-    bool are_keys_always_free_ = false;
-    std::function<int()> minute_of_day_;
     std::string operator_caption_;
-    bool is_handle_locked_ = false;
-    double motor_test_s_ = 0.0;  // when it began; 0: none
-    bool is_motor_test_due_ = false;
-    bool is_recording_due_ = false;  // the operator waits for the result
-    SiteOpening opening_ = SiteOpening::open;
-    double hours_looked_s_ = -1e9;
-    double visit_began_s_ = 0.0;
-    bool was_visit_on_ = false;
-    KeyTable keys_;
-    KeyFilter filter_;
-    SwitchScan scan_;
-    WindowWishes window_wishes_;
-
+    KioskKeys keys_;
+    SiteHours hours_;
+    VisitLength length_;
+    Watched watched_;
+    MissingParts missing_;
+    LiveFacts device_facts_;  // of them, what the hand is
+    std::shared_ptr<std::atomic<WrittenLanguage>> reading_language_;
     Visit visit_;
-    Feel feel_;  // as it was last ordered
-    GuidanceCommand guidance_;
-    bool is_guiding_ = false;
-    PatternCommand pattern_;
-    bool is_emergency_stop_ = false;  // until the staff clears it
-    std::uint32_t faults_cleared_ = 0;
-    HandState hand_;
-    ForceStatus force_;
-    ShownScene shown_;
-    std::shared_ptr<const TactileMap> map_;  // that is felt
-    std::vector<PartFacts> parts_;           // of map_
-    LoadPicture order_;                      // the last one
-    FilePtr wanted_;                         // its file
-    FilePtr felt_file_;                      // the file that is felt
-    LoadPicture felt_order_;                 // the order that brought it
-    bool is_loading_ = false;
-    Position last_seen_W_;  // the handle's place when it last counted as moved
+    std::optional<Sign> sign_;
+    WindowWishes window_wishes_;
     double now_s_ = 0.0;
     double ticked_s_ = 0.0;
-    std::optional<bool> are_headphones_in_;
-    bool has_camera_ = false;
-    bool is_listing_ = false;
-    MissingParts missing_;
-    bool is_previewing_ = false;
-    std::optional<ScreenEvent> sign_;
-    double signed_s_ = 0.0;
-    std::array<std::string, trouble_count> troubles_;  // as they were told
     std::string report_;
 };
 

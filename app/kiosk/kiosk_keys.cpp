@@ -1,39 +1,20 @@
-// The keys of a kiosk: from a pressed key to its meaning for the visit or the staff.
+#include "app/kiosk/kiosk_keys.h"
+
 #include "app/kiosk/kiosk.h"
-#include "app/session/told_lines.h"
 
 #include <utility>
 
 namespace touchline {
 
-namespace {
-
-std::optional<Action> action_of_key(const PhysicalKey& key) {
-    return key.source == KeySource::key ? action_of(Key{key.code}) : std::nullopt;
-}
-
-/// Comes before everything, whoever is in.
-bool is_emergency_stop(const PhysicalKey& key) {
-    return action_of_key(key) == Action::emergency_stop;
-}
-
-std::optional<Action> operators_action(const PhysicalKey& key) {
-    const auto action = action_of_key(key);
-    return action && is_for_operator(*action) ? action : std::nullopt;
-}
-
-}  // namespace
-
 void Kiosk::change_key(const KeyChange& change) {
-    if (!filter_.takes(change)) return;
-    const auto role = role_of(keys_, change.key);
-    if (!role && is_emergency_stop(change.key)) return act(Action::emergency_stop);
+    if (!keys_.filter.takes(change)) return;
+    const auto [role, action] = keys_.meaning_of(change.key);
+    if (!role && action == Action::emergency_stop) return act(*action);
     const bool was_in = is_operator_in();
     // If the operator has a keyboard of their own, no other one opens the way in.
     strike_key(KeyStruck{change.key, role, settings_.operator_device.empty()});
     if (was_in || is_operator_in()) return;
     if (role) return press_for_visit(*role);
-    const auto action = action_of_key(change.key);
     if (!action) return apply(DeadKeyPressed{});
     if (!is_for_operator(*action) || are_keys_free()) return act(*action);
     sound_->say({language().code(),
@@ -43,7 +24,7 @@ void Kiosk::change_key(const KeyChange& change) {
 
 /// True while there is no PIN, and where nobody could give one.
 bool Kiosk::are_keys_free() const {
-    return are_keys_always_free_ || !operator_ || !operator_->has_pin();
+    return keys_.are_free || !operator_ || !operator_->has_pin();
 }
 
 /// True once the PIN was given, but not while a key is being learned.
@@ -52,26 +33,26 @@ bool Kiosk::takes_operator_keys() const {
 }
 
 void Kiosk::press(KeyRole role) {
-    const PhysicalKey key = keys_of(keys_, role).at(0);
+    const PhysicalKey key = keys_of(keys_.table, role).at(0);
     change_key({key, true, false, now_s_});
     change_key({key, false, false, now_s_});
 }
 
 void Kiosk::strike_operator_key(const PhysicalKey& key) {
-    if (is_emergency_stop(key)) return act(Action::emergency_stop);
-    const auto role = role_of(keys_, key);
-    const auto action = operators_action(key);
-    if (action && !role && !is_operator_in()) return act(*action);
+    const auto [role, action] = keys_.meaning_of(key);
+    if (action == Action::emergency_stop) return act(*action);
+    if (action && is_for_operator(*action) && !role && !is_operator_in()) return act(*action);
     strike_key(KeyStruck{key, role, true});
 }
 
 /// R saves a recording for an operator who gave the PIN, at a keyboard that is allowed. For
 /// everybody else act() holds it in memory.
 void Kiosk::strike_key(const KeyStruck& struck) {
-    const auto action = operators_action(struck.key);
-    const bool is_order = action && !struck.role && struck.is_allowed && takes_operator_keys();
+    const auto action = keys_.meaning_of(struck.key).action;
+    const bool is_order = action && is_for_operator(*action) && !struck.role && struck.is_allowed &&
+                          takes_operator_keys();
     if (!is_order) return tell_operator(struck);
-    if (*action == Action::hold_recording) return keep_recording();
+    if (*action == Action::hold_recording) return handle_.keep_recording();
     act(*action);
 }
 
@@ -83,8 +64,8 @@ void Kiosk::press_for_visit(KeyRole role) {
 
 void Kiosk::press_switch(SwitchEvent event) {
     const double pace_s = settings_.two_switches == SwitchUse::by_itself ? settings_.scan_s : 0.0;
-    SwitchStep step = step_switches(scan_, event, screen(), pace_s, now_s_, language());
-    scan_ = step.scan;
+    SwitchStep step = step_switches(keys_.scan, event, screen(), pace_s, now_s_, language());
+    keys_.scan = step.scan;
     if (!step.said.empty()) sound_->say({language().code(), step.said, SpeechPriority::text});
     if (step.press) apply(KeyPressed{*step.press});
 }
@@ -100,16 +81,13 @@ void Kiosk::act(Action action) {
         case Action::faster_speech:
             return apply(SpeechKeyPressed{SpeechKey::faster});
         case Action::emergency_stop:
-            is_emergency_stop_ = true;
-            return set_servo();
+            return handle_.stop_at_once();
         case Action::clear_fault:
-            is_emergency_stop_ = false;
-            ++faults_cleared_;
-            return set_servo();
+            return handle_.clear_fault();
         case Action::hold_recording:
-            return servo_->hold_recording();
+            return handle_.servo().hold_recording();
         case Action::home_again:
-            return servo_->home_again();
+            return handle_.servo().home_again();
         case Action::toggle_live_view:
             window_wishes_.shows_live_view = !window_wishes_.shows_live_view;
             return;
@@ -123,21 +101,6 @@ void Kiosk::act(Action action) {
             window_wishes_.is_quitting = true;
             return;
     }
-}
-
-LiveFacts Kiosk::live_facts() const {
-    LiveFacts facts;
-    facts.hand_words = hand_words_;
-    facts.hand_name = hand_name_;
-    facts.last = sound_->last_event();
-    facts.has_pop_through = settings_.has_pop_through;
-    facts.message = told_of_device(servo_->device_words(), language(), ToldTo::staff);
-    if (!map_) return facts;
-    if (visit_.visitor.felt) facts.place = visit_.visitor.felt->facts.place;
-    facts.title = map_->title;
-    facts.detail = order_.detail;
-    if (shown_.scene) facts.coarsest_level = shown_.scene->curves.coarsest();
-    return facts;
 }
 
 }  // namespace touchline

@@ -1,30 +1,20 @@
 // The operator at the kiosk: carries out the screens' orders to servo, sound, camera and stick.
 #include "app/kiosk/kiosk.h"
-#include "app/servo/black_box.h"
 #include "app/session/told_lines.h"
-#include "config/settings/setting_texts.h"
 
-#include <array>
-#include <cstdio>
 #include <string>
 #include <utility>
-
-#include <fmt/format.h>
+#include <vector>
 
 namespace touchline {
-namespace {
 
-constexpr double hours_look_s = 1.0;
-constexpr double level_tenth = 10.0;
-
-}  // namespace
-
+/// Carries out each order of the operator.
 struct Kiosk::OperatorOrderHandler {
     Kiosk& kiosk;
 
     void operator()(const Say& say) const {
-        kiosk.say_for_operator(say.text);
-        if (!say.is_shown) kiosk.operator_caption_.clear();
+        kiosk.operator_caption_ = say.is_shown ? say.text : std::string();
+        kiosk.sound_->say({kiosk.language().code(), say.text, SpeechPriority::text});
     }
 
     void operator()(const Click&) const { kiosk.sound_->give(ScreenEvent::key_taken); }
@@ -35,31 +25,28 @@ struct Kiosk::OperatorOrderHandler {
 
     void operator()(const WriteSound& write) const {
         kiosk.sound_->set_levels(write.sound, 0.0);
-        kiosk.hours_looked_s_ = -1e9;
+        kiosk.hours_.look_again();
     }
 
-    void operator()(const WriteKeys& write) const { kiosk.keys_ = write.keys; }
+    void operator()(const WriteKeys& write) const { kiosk.keys_.table = write.keys; }
 
-    void operator()(const FindHome&) const { kiosk.servo_->home_again(); }
+    void operator()(const FindHome&) const { kiosk.handle_.servo().home_again(); }
 
-    void operator()(const ChooseKind& kind) const { kiosk.servo_->choose_kind(kind.profile); }
+    void operator()(const ChooseKind& kind) const {
+        kiosk.handle_.servo().choose_kind(kind.profile);
+    }
 
     void operator()(const ClearFault&) const { kiosk.act(Action::clear_fault); }
 
     void operator()(const RunTest& run) const { kiosk.run_test(run.step); }
 
-    void operator()(const StopTest&) const {}  // every step ends at once
-
     void operator()(const ShowLive& show) const {
         kiosk.window_wishes_.shows_live_view = show.is_on;
     }
 
-    void operator()(const LockHandle& lock) const {
-        kiosk.is_handle_locked_ = lock.is_on;
-        kiosk.set_servo();
-    }
+    void operator()(const LockHandle& lock) const { kiosk.handle_.lock(lock.is_on); }
 
-    void operator()(const SaveRecording&) const { kiosk.keep_recording(); }
+    void operator()(const SaveRecording&) const { kiosk.handle_.keep_recording(); }
 
     void operator()(const CloseKiosk&) const { kiosk.window_wishes_.is_quitting = true; }
 
@@ -70,20 +57,9 @@ struct Kiosk::OperatorOrderHandler {
                            SpeechPriority::hint});
     }
 
-    // The session has carried these out itself.
-    void operator()(const CheckPin&) const {}
-
-    void operator()(const KeepPin&) const {}
-
-    void operator()(const ImportFromStick&) const {}
-
-    void operator()(const ZeroCounters&) const {}
-
-    void operator()(const ExportLog&) const {}
-
-    void operator()(const BackUp&) const {}
-
-    void operator()(const Restore&) const {}
+    /// The session has carried out all others itself; a test that is stopped has ended at once.
+    template <class Order>
+    void operator()(const Order&) const {}
 };
 
 SpokenScreen Kiosk::screen() const {
@@ -106,40 +82,34 @@ void Kiosk::tell_operator(const OperatorEvent& event) {
         std::visit(OperatorOrderHandler{*this}, order);
 }
 
-void Kiosk::keep_recording() {
-    is_recording_due_ = true;
-    servo_->keep_recording();
-}
-
 void Kiosk::tell_of_recording(const std::string& notice) {
-    const bool is_kept = notice.find(recording_kept) != std::string::npos;
-    const bool is_lost = notice.find(recording_not_kept) != std::string::npos;
-    if (!is_recording_due_ || (!is_kept && !is_lost)) return;
-    is_recording_due_ = false;
+    const auto is_kept = handle_.is_recording_kept(notice);
+    if (!is_kept) return;
     tell_operator(OrderAnswered{language().text(
-        "operator", is_kept ? "The recording is saved. The log says where."
-                            : "The recording could not be saved. The log says why.")});
+        "operator", *is_kept ? "The recording is saved. The log says where."
+                             : "The recording could not be saved. The log says why.")});
 }
 
-void Kiosk::say_for_operator(const std::string& text) {
-    operator_caption_ = text;
-    sound_->say({language().code(), text, SpeechPriority::text});
+void Kiosk::count_visit() {
+    const auto length_s = length_.step(is_visit_on(visit_), now_s_);
+    if (length_s && operator_) operator_->count_visit(*length_s / 60.0);
+}
+
+/// Opens, closes and softens the kiosk by the site's clock.
+void Kiosk::follow_hours() {
+    const auto now = hours_.look(now_s_, settings_);
+    if (!now) return;
+    tell(now->change);
+    if (operator_)
+        sound_->set_levels(operator_->sound(), now->is_quiet ? settings_.quiet_lower_dB : 0.0);
 }
 
 void Kiosk::follow_operator() {
-    const bool is_on = is_visit_on(visit_);
-    if (is_on && !was_visit_on_) visit_began_s_ = now_s_;
-    if (!is_on && was_visit_on_ && operator_)
-        operator_->count_visit((now_s_ - visit_began_s_) / 60.0);
-    was_visit_on_ = is_on;
-    follow_hours();
     if (!operator_) return;
-    follow_motor_test();
-    operator_->set_private(sound_->output().kind == OutputKind::headset);
-    operator_->set_live(live_words());
-    operator_->set_kind(servo_->kind());
-    operator_->set_device_words(told_of_device(servo_->device_words(), language(), ToldTo::staff));
-    operator_->set_bounds(felt_bounds());
+    handle_.follow_motor_test();
+    operator_->see({sound_->output().kind == OutputKind::headset, live_words(),
+                    handle_.servo().kind(), felt_bounds(),
+                    told_of_device(handle_.servo().device_words(), language(), ToldTo::staff)});
     if (sticks_) operator_->put_stick(sticks_->root());
     if (const auto line = operator_->poll_stick(language())) tell_operator(OrderAnswered{*line});
     tell_operator(MomentPassed{});
@@ -147,76 +117,47 @@ void Kiosk::follow_operator() {
     if (operator_->read_again()) set(operator_->settings());
 }
 
-/// Opens, closes and softens the kiosk by the site's clock.
-void Kiosk::follow_hours() {
-    if (now_s_ - hours_looked_s_ < hours_look_s) return;
-    hours_looked_s_ = now_s_;
-    const int minute = minute_of_day_ ? minute_of_day_() : 0;
-    const auto open = hours_in(settings_.opening_hours);
-    const bool is_closed = minute_of_day_ && open && !is_within(*open, minute);
-    const SiteOpening opening = settings_.is_maintained ? SiteOpening::maintenance
-                                : is_closed             ? SiteOpening::closed
-                                                        : SiteOpening::open;
-    if (opening != std::exchange(opening_, opening)) apply(OpeningChanged{opening});
-    const auto quiet = hours_in(settings_.quiet_hours);
-    const bool is_quiet = minute_of_day_ && quiet && is_within(*quiet, minute);
-    if (operator_)
-        sound_->set_levels(operator_->sound(), is_quiet ? settings_.quiet_lower_dB : 0.0);
-}
-
-/// Tests the force for two seconds, with a shake when it is on.
-void Kiosk::follow_motor_test() {
-    if (is_motor_test_due_ && force_.state == ForceState::live) {
-        is_motor_test_due_ = false;
-        pattern_.pattern = HandlePattern::chosen;
-        ++pattern_.serial;
-        set_servo();
-    }
-    if (motor_test_s_ > 0.0 && !is_motor_test_on()) {
-        motor_test_s_ = 0.0;
-        is_motor_test_due_ = false;
-        set_servo();
-    }
-}
-
-void Kiosk::answer_test(TestStep step, bool has_passed, const std::string& line) {
+void Kiosk::run_test(TestStep step) {
+    if (step == TestStep::keys) return;  // the screens count them
+    const bool has_passed = passes(step);
+    const std::string line =
+        step == TestStep::device ? describe(live_facts(), hand(), force(), language()).message : "";
     tell_operator(TestAnswered{step, has_passed, line});
 }
 
-void Kiosk::run_test(TestStep step) {
+bool Kiosk::passes(TestStep step) {
     switch (step) {
         case TestStep::device:
-            return answer_test(step, force_.fault == Fault::none && hand_.ticks > 0,
-                               describe(live_facts(), hand_, force_, language()).message);
-        case TestStep::motors:  // a person tells whether it was felt
-            motor_test_s_ = now_s_;
-            is_motor_test_due_ = true;
-            set_servo();
-            return answer_test(step, true);
+            return force().fault == Fault::none && hand().ticks > 0;
         case TestStep::camera:
-            return answer_test(step, has_camera_);
+            return watched_.has_camera();
+        case TestStep::stick_port:
+            return sticks_ && sticks_->is_watching();
+        case TestStep::disk:
+            return operator_->can_write();
+        case TestStep::motors:  // a person tells whether it was felt
+            handle_.begin_motor_test();
+            break;
         case TestStep::sound_left:
         case TestStep::sound_right:
             sound_->play_side(step == TestStep::sound_left);
-            return answer_test(step, true);
-        case TestStep::stick_port:
-            return answer_test(step, sticks_ && sticks_->is_watching());
-        case TestStep::disk:
-            return answer_test(step, operator_->can_write());
-        case TestStep::keys:  // the screens count them
-            return;
+            break;
+        case TestStep::keys:
+            break;
     }
+    return true;
 }
 
 /// The bounds of a level depend on the picture: without a line there are none.
 FeltBounds Kiosk::felt_bounds() const {
-    FeltBounds bounds{hand_.stiffness_bound, std::nullopt};
-    if (map_ && !map_->outlines.empty()) bounds.levels = hand_.level_terms;
+    FeltBounds bounds{hand().stiffness_bound, std::nullopt};
+    const TactileMap* const map = picture_.map();
+    if (map != nullptr && !map->outlines.empty()) bounds.levels = hand().level_terms;
     return bounds;
 }
 
 std::vector<std::string> Kiosk::live_words() const {
-    Status status = describe(live_facts(), hand_, force_, language());
+    Status status = describe(live_facts(), hand(), force(), language());
     std::vector<std::string> words;
     if (!status.message.empty()) words.push_back(std::move(status.message));
     for (const StatusLine& line : status.lines) words.push_back(line.name + ": " + line.value);

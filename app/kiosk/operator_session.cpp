@@ -240,11 +240,11 @@ bool OperatorSession::read_again() {
 }
 
 OperatorWorld OperatorSession::world(const Language& language, double now_s) const {
-    OperatorWorld world{language, now_s, has_pin(),  is_private_, site_,
-                        sound_,   keys_, languages_, {},          counters_,
-                        {},       live_, kind_,      bounds_,     device_words_};
+    const auto& [is_private, live, kind, bounds, device_words] = facts_;
+    OperatorWorld world{language,       now_s, has_pin(),  is_private, site_,
+                        sound_,         keys_, languages_, {},         counters_,
+                        stick_.names(), live,  kind,       bounds,     device_words};
     for (const Profile& profile : profiles_) world.profiles.push_back({profile.name, profile.rows});
-    world.on_stick = stick_.names();
     return world;
 }
 

@@ -3,7 +3,7 @@
 // Threads: one. Its calls read and write small files; a thread beside it reads sticks.
 #pragma once
 
-#include "app/kiosk/operator_stick.h"
+#include "app/kiosk/stick_source.h"
 #include "app/operator/counters.h"
 #include "app/operator/operator.h"
 #include "app/operator/pin_file.h"
@@ -17,6 +17,7 @@
 #include <future>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace touchline {
@@ -36,6 +37,15 @@ struct OperatorFiles {
 
 /// The files of this machine.
 [[nodiscard]] OperatorFiles operator_files();
+
+/// What the screens show of the kiosk, each as in OperatorWorld.
+struct KioskFacts {
+    bool is_private = true;
+    std::vector<std::string> live;
+    std::optional<std::string> kind;
+    FeltBounds bounds;
+    std::string device_words;
+};
 
 /// The result of an order.
 struct Outcome {
@@ -72,17 +82,7 @@ class OperatorSession {
     /// its files into the library; before that they are not even listed.
     void put_stick(const std::string& root) { stick_.look_at(is_inside() ? root : ""); }
 
-    void set_live(std::vector<std::string> facts) { live_ = std::move(facts); }
-
-    void set_bounds(const FeltBounds& bounds) { bounds_ = bounds; }
-
-    void set_private(bool is_private) { is_private_ = is_private; }
-
-    /// As OperatorWorld::kind.
-    void set_kind(std::optional<std::string> kind) { kind_ = std::move(kind); }
-
-    /// As OperatorWorld::device_words.
-    void set_device_words(std::string words) { device_words_ = std::move(words); }
+    void see(KioskFacts facts) { facts_ = std::move(facts); }
 
     /// The site's settings with those of the profile over them.
     [[nodiscard]] const Settings& settings() const { return settings_; }
@@ -133,11 +133,7 @@ class OperatorSession {
     SoundSettings sound_;
     KeyTable keys_;
     Counters counters_;
-    bool is_private_ = true;
-    std::vector<std::string> live_;
-    std::optional<std::string> kind_;
-    std::string device_words_;
-    FeltBounds bounds_;
+    KioskFacts facts_;
     OperatorStick stick_;
     std::future<Outcome> import_;
     std::vector<std::string> log_;

@@ -49,7 +49,6 @@ PhotoNews PhotoCapture::step(double now_s) {
     if (is_shown_ && view.preview) {
         preview_ = std::make_shared<const Canvas>(
             canvas_of(picture_of(cut_off(*view.preview, cut_)), preview_px));
-        news.has_a_preview = true;
     }
     return news;
 }

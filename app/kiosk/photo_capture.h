@@ -17,10 +17,9 @@ namespace touchline {
 /// What is new since the last step.
 struct PhotoNews {
     CameraCondition condition = CameraCondition::absent;
-    FilePtr photo;               // the one asked for; null: none yet
-    bool has_given_up = false;   // the photo will not come
-    bool is_doubtful = false;    // the photo is blurred or too bright even after a second attempt
-    bool has_a_preview = false;  // a new preview is there
+    FilePtr photo;              // the one asked for; null: none yet
+    bool has_given_up = false;  // the photo will not come
+    bool is_doubtful = false;   // the photo is blurred or too bright even after a second attempt
 };
 
 class PhotoCapture {

@@ -4,6 +4,7 @@
 #include "app/decode/opening.h"
 #include "app/gallery/gallery.h"
 #include "app/packs/pack_library.h"
+#include "app/session/told_lines.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -13,50 +14,37 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The worker draws it for the screen. Its words are read here, in the chosen language: the gallery
-/// is trusted.
-Result<Page> open_in(const std::string& path, const LanguageTag& language, const PageOrder& order) {
+using MapReader = Result<TactileMap> (*)(const std::string& path, const LanguageTag& language);
+
+/// This process parses nothing of a pack.
+Result<TactileMap> read_map_of_pack(const std::string& path, const LanguageTag& language) {
+    return read_pack_map(path, language).map_error([](const PackFinding& finding) {
+        return Error{sentence_of(finding, Language())};
+    });
+}
+
+/// The worker draws it for the screen; `read` reads its words in the chosen language.
+Result<Page> open_in(const std::string& path, const LanguageTag& language, const PageOrder& order,
+                     MapReader read) {
     auto page = open_page_of(path, order);
     if (!page) return page;
-    auto map = read_map_svg(path, language);
+    auto map = read(path, language);
     if (!map) return tl::unexpected(map.error());
     page->told = std::move(*map);
     return page;
 }
 
-Result<Page> open_pack_picture(const std::string& path, const LanguageTag& language,
-                               const PageOrder& order) {
-    auto page = open_page_of(path, order);
-    if (!page) return page;
-    auto map = read_pack_map(path, language);
-    if (!map) return failure(sentence_of(map.error(), Language()));
-    page->told = std::move(*map);
-    return page;
-}
-
-/// Names the picture in an error, and not its place on the disk.
-Result<Page> told_by_title(Result<Page> page, const std::string& path, const std::string& title) {
-    if (!page && page.error().line.starts_with(path))
-        return failure(title + page.error().line.substr(path.size()));
-    return page;
-}
-
-FilePtr gallery_file(const GalleryEntry& entry, const LanguageTag& language) {
-    const std::string path = entry.path;
+/// Its errors name the picture, and not its place on the disk.
+FilePtr picture_file(const GalleryEntry& entry, const std::string& gallery_file,
+                     const LanguageTag& language, MapReader read) {
     return std::make_shared<const PictureFile>(
-        PictureFile{entry.title, entry.title, fs::path(path).filename().string(), false,
-                    [path, title = entry.title, language](const PageOrder& order) {
-                        return told_by_title(open_in(path, language, order), path, title);
-                    }});
-}
-
-/// This process parses nothing of a pack.
-FilePtr pack_file(const GalleryEntry& entry, const LanguageTag& language) {
-    const std::string path = entry.path;
-    return std::make_shared<const PictureFile>(
-        PictureFile{entry.title, entry.title, "", false,
-                    [path, title = entry.title, language](const PageOrder& order) {
-                        return told_by_title(open_pack_picture(path, language, order), path, title);
+        PictureFile{entry.title, entry.title, gallery_file, false,
+                    [path = entry.path, title = entry.title, language,
+                     read](const PageOrder& order) -> Result<Page> {
+                        auto page = open_in(path, language, order, read);
+                        if (!page && page.error().line.starts_with(path))
+                            return failure(title + page.error().line.substr(path.size()));
+                        return page;
                     }});
 }
 
@@ -79,6 +67,21 @@ FilePtr at(const std::vector<FilePtr>& files, std::size_t index) {
     return index < files.size() ? files[index] : nullptr;
 }
 
+/// True if the order is for another part or detail of what the visitor brought.
+bool is_of_same_file(const LoadPicture& order, const Visitor& visitor) {
+    const auto& loading = visitor.loading;
+    return loading && loading->order.request == order.request &&
+           loading->reason != LoadReason::other_picture &&
+           (order.source == PictureSource::stick || order.source == PictureSource::camera);
+}
+
+/// Removes the file's name, which begins every line about it, tells nothing and may hold anything.
+std::string told_reason(const std::string& line, const std::string& name,
+                        const Language& language) {
+    return told_of_file(line.starts_with(name) ? line.substr(name.size()) : line, picture_trouble,
+                        language);
+}
+
 }  // namespace
 
 Result<Gallery> read_gallery(const std::string& folder, const std::string& library,
@@ -92,14 +95,16 @@ Result<Gallery> read_gallery(const std::string& folder, const std::string& libra
         std::vector<FilePtr>& files = gallery.files.emplace_back();
         for (const GalleryEntry& entry : *entries) {
             titles.push_back({entry.title, entry.description, entry.difficulty});
-            files.push_back(gallery_file(entry, tag));
+            // The gallery is trusted: this process reads its words.
+            files.push_back(
+                picture_file(entry, fs::path(entry.path).filename().string(), tag, read_map_svg));
         }
         if (library.empty()) continue;
         std::vector<PackFinding> problems;  // the pack's importer was told
         for (const LibraryPicture& picture : list_library(library, tag, problems)) {
             const GalleryEntry& entry = picture.entry;
             titles.push_back({entry.title, entry.description, entry.difficulty});
-            files.push_back(pack_file(entry, tag));
+            files.push_back(picture_file(entry, "", tag, read_map_of_pack));
         }
     }
     gallery.circle = named(gallery.files.front(), "-circle.svg");
@@ -127,6 +132,78 @@ FilePtr Pictures::of(const LoadPicture& order) const {
 void Pictures::forget() {
     stick_.clear();
     photo_.reset();
+}
+
+std::optional<PictureFailed> OrderedPicture::want(const LoadPicture& order, const Visitor& visitor,
+                                                  const FilePtr& listed, const Language& language) {
+    order_ = order;
+    const FilePtr& file = is_of_same_file(order, visitor) && felt_file_ ? felt_file_ : listed;
+    if (file == nullptr)
+        return PictureFailed{order.request,
+                             language.text("kiosk", "This picture is gone. Choose another one.")};
+    wanted_ = file;
+    is_loading_ = true;
+    const Zoom zoom{order.zoom.centre, order.zoom.factor};
+    loader_->want(order.request,
+                  {file, order.page, order.view, {order.detail, zoom}, order.thing_at});
+    return std::nullopt;
+}
+
+void OrderedPicture::cancel() {
+    loader_->cancel();
+    stay_with_felt();
+}
+
+void OrderedPicture::stay_with_felt() {
+    is_loading_ = false;
+    order_ = felt_order_;
+    wanted_ = felt_file_;
+}
+
+std::optional<PictureNews> OrderedPicture::take(const Delivery& delivery,
+                                                const Language& language) {
+    if (delivery.request != order_.request || !wanted_) return std::nullopt;
+    if (!delivery.scene) return refuse(delivery, language);
+    if (!std::exchange(is_loading_, false) && !delivery.is_better) return std::nullopt;
+    shown_ = delivery.scene->shown;
+    map_ = delivery.scene->felt.map;
+    felt_file_ = wanted_;
+    felt_order_ = order_;
+    PictureFacts facts = facts_of(*delivery.scene, *wanted_, order_.form, language);
+    parts_ = facts.parts;
+    return PictureNews{PictureReady{delivery.request, std::move(facts)}, delivery.scene->felt,
+                       delivery.is_better};
+}
+
+PictureNews OrderedPicture::refuse(const Delivery& delivery, const Language& language) {
+    const std::string& line = delivery.scene.error().line;
+    const bool is_answer = line == nothing_there;
+    const std::string sentence =
+        order_.thing_at
+            ? language.text("trouble",
+                            is_answer ? line : "The main thing cannot be looked for now.")
+            : told_reason(line, wanted_->name, language);
+    PictureNews news{PictureFailed{delivery.request, sentence}};
+    if (!is_answer) news.line = wanted_->is_private ? "a visitor's picture cannot be felt" : line;
+    stay_with_felt();
+    return news;
+}
+
+std::optional<std::size_t> OrderedPicture::part_at(const HandState& hand) const {
+    if (!map_) return std::nullopt;
+    return touchline::part_at(*map_, parts_, hand);
+}
+
+void OrderedPicture::forget() {
+    loader_->forget();
+    is_loading_ = false;
+    wanted_.reset();
+    felt_file_.reset();
+    shown_ = {};
+    map_.reset();
+    parts_.clear();
+    order_ = {};
+    felt_order_ = {};
 }
 
 }  // namespace touchline

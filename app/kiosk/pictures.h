@@ -1,6 +1,9 @@
-// The file behind each choice of a visit. Threads: one.
+// The pictures of a visit: the file behind each choice, the one that is ordered, on its way from
+// its file, and the one that is felt until then. Threads: one; no call but read_gallery() waits.
 #pragma once
 
+#include "app/kiosk/picture_facts.h"
+#include "app/loading/loader.h"
 #include "app/loading/stages.h"
 #include "app/session/visit.h"
 #include "app/session/visit_orders.h"
@@ -8,6 +11,9 @@
 #include "config/types/result.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -49,6 +55,67 @@ class Pictures {
     Gallery gallery_;
     std::vector<FilePtr> stick_;
     FilePtr photo_;
+};
+
+/// What a delivery means for the visit and the servo.
+struct PictureNews {
+    VisitEvent event;
+    std::optional<FeltPicture> felt = {};  // nothing: what was felt stays
+    bool is_better = false;                // the same picture was felt before
+    std::string line = {};                 // for the log; empty: nothing to say
+};
+
+class OrderedPicture {
+  public:
+    explicit OrderedPicture(std::unique_ptr<Loader> loader) : loader_(std::move(loader)) {}
+
+    /// `listed`: the file that the order stands for in its list; null: it is gone, and the visit is
+    /// told so. Another part or detail of what a visitor brought comes from that same file,
+    /// whatever is at its place in the list by now.
+    [[nodiscard]] std::optional<PictureFailed> want(const LoadPicture& order,
+                                                    const Visitor& visitor, const FilePtr& listed,
+                                                    const Language& language);
+
+    /// What is felt stays, and no better version of it comes later.
+    void cancel();
+
+    /// As Loader::poll().
+    [[nodiscard]] std::vector<Delivery> poll() { return loader_->poll(); }
+
+    /// As Loader::take_things().
+    [[nodiscard]] std::optional<ThingsFound> take_things() { return loader_->take_things(); }
+
+    /// Nothing: nobody waits for it any more.
+    [[nodiscard]] std::optional<PictureNews> take(const Delivery& delivery,
+                                                  const Language& language);
+
+    /// The visitor is gone: releases all that was theirs.
+    void forget();
+
+    /// The order of the picture that is loading, else of the one that is felt.
+    [[nodiscard]] const LoadPicture& order() const { return order_; }
+
+    [[nodiscard]] const ShownScene& shown() const { return shown_; }
+
+    /// The map that is felt; null: none.
+    [[nodiscard]] const TactileMap* map() const { return map_.get(); }
+
+    /// As touchline::part_at() for the map that is felt.
+    [[nodiscard]] std::optional<std::size_t> part_at(const HandState& hand) const;
+
+  private:
+    [[nodiscard]] PictureNews refuse(const Delivery& delivery, const Language& language);
+    void stay_with_felt();
+
+    std::unique_ptr<Loader> loader_;
+    LoadPicture order_;  // the last one
+    FilePtr wanted_;     // its file
+    bool is_loading_ = false;
+    FilePtr felt_file_;       // the file that is felt
+    LoadPicture felt_order_;  // the order that brought it
+    ShownScene shown_;
+    std::shared_ptr<const TactileMap> map_;
+    std::vector<PartFacts> parts_;  // of map_
 };
 
 }  // namespace touchline

@@ -2,10 +2,13 @@
 
 #include "app/decode/one_line.h"
 #include "app/decode/opening.h"
+#include "app/decode/words_in_picture.h"
 #include "app/gallery/gallery.h"
+#include "app/models/picture_network_files.h"
 #include "app/screen/canvas.h"
 #include "app/screen/layout.h"
 #include "app/servo/scene_order.h"
+#include "app/trace/finding_things.h"
 #include "app/trace/own_map.h"
 #include "app/trace/page_views.h"
 
@@ -13,6 +16,7 @@
 #include <atomic>
 #include <cassert>
 #include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <utility>
 
@@ -22,6 +26,8 @@ namespace {
 // More pixels than any screen shows.
 constexpr int longest_picture_px = 2000;
 constexpr double longest_enlarged_px = 1200.0;
+
+constexpr std::size_t most_things = 50;  // a list that nobody goes through
 
 std::uint64_t next_version() {
     static std::atomic<std::uint64_t> last{0};
@@ -113,6 +119,34 @@ std::shared_ptr<const Canvas> enlarged_picture(const std::shared_ptr<const Canva
 
 }  // namespace
 
+PageReader page_reader(std::shared_ptr<const std::atomic<WrittenLanguage>> language) {
+    return [language = std::move(language)](const Page& page) -> std::optional<Page> {
+        if (!needs_reading(page)) return std::nullopt;
+        const auto found = read_words(page.picture, {{language->load()}});
+        if (!found || found->labels.empty()) return std::nullopt;
+        return with_words(page, *found);
+    };
+}
+
+ThingFinder thing_finder() {
+    return [](const Page& page,
+              const std::optional<PlaceInPicture>& place) -> Result<std::optional<Page>> {
+        if (place && page.figures.size() >= most_things) return std::nullopt;
+        const auto files = read_picture_networks();
+        if (!files) return tl::unexpected(files.error());
+        const auto networks = with_room(files->networks());
+        if (!networks) return tl::unexpected(networks.error());
+        auto things =
+            place ? find_thing_at(*place, page, *networks) : find_main_things(page, *networks);
+        if (!things) return tl::unexpected(things.error());
+        if (place && !things->is_sure) return std::nullopt;
+        if (place) return with_further_thing(page, std::move(*things));
+        Page seen = with_main_things(page, std::move(*things));
+        seen.was_searched = !networks->figure.empty();
+        return seen;
+    };
+}
+
 KioskStages::KioskStages(DeviceProfile profile, PageReader reader, ThingFinder finder)
     : profile_(std::move(profile)), reader_(std::move(reader)), finder_(std::move(finder)) {}
 
@@ -146,11 +180,7 @@ Result<LoadedScene> KioskStages::build(const PictureFile& file, const FoundView&
     if (!scene) return tl::unexpected(of_page(file, found.place, scene.error()));
     LoadedScene result;
     result.facts = {map.title.empty() ? file.title : map.title,
-                    static_cast<int>(map.outlines.size()),
-                    scene->curves.coarsest(),
-                    std::move(felt->warning),
-                    found.place,
-                    {}};
+                    static_cast<int>(map.outlines.size()), std::move(felt->warning), found.place};
     if (found.is_photo)
         result.facts.place.things = finder_ ? ThingSearch::under_way : ThingSearch::impossible;
     result.shown = {std::make_shared<const Scene>(std::move(*scene)),
@@ -161,10 +191,6 @@ Result<LoadedScene> KioskStages::build(const PictureFile& file, const FoundView&
     result.felt = {result.shown.scene, std::make_shared<const TactileMap>(std::move(map)), order,
                    recorded};
     return result;
-}
-
-bool KioskStages::has_looking() const {
-    return static_cast<bool>(finder_);
 }
 
 Result<PagePtr> KioskStages::look(const PagePtr& page) const {
@@ -182,10 +208,6 @@ Result<PagePtr> KioskStages::seen(const PagePtr& page,
     return finder_(*page, place).map([](std::optional<Page> seen) {
         return seen ? std::make_shared<const Page>(std::move(*seen)) : PagePtr();
     });
-}
-
-bool KioskStages::has_reading() const {
-    return static_cast<bool>(reader_);
 }
 
 FoundPtr KioskStages::reread(const FoundView& found) const {

@@ -2,11 +2,14 @@
 // Threads: any, each call by itself.
 #pragma once
 
+#include "app/decode/reading_order.h"
 #include "app/loading/stages.h"
 #include "app/trace/place_in_picture.h"
 #include "haptics/pantograph/profile.h"
 
+#include <atomic>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -23,6 +26,15 @@ using PageReader = std::function<std::optional<Page>(const Page&)>;
 using ThingFinder =
     std::function<Result<std::optional<Page>>(const Page&, const std::optional<PlaceInPicture>&)>;
 
+/// Reads by the worker of app/decode, in the language that `language` holds at the call; it may
+/// change meanwhile. If reading fails, or finds nothing, the page stays as it was felt.
+[[nodiscard]] PageReader page_reader(std::shared_ptr<const std::atomic<WrittenLanguage>> language);
+
+/// Looks with networks in their worker. Works without the figure's network if that is not
+/// installed, or if less than 2 GB of memory are free. Fails if a network is damaged or its worker
+/// fails.
+[[nodiscard]] ThingFinder thing_finder();
+
 class KioskStages final : public Stages {
   public:
     /// Without a reader no words are read. Without a finder no main thing is found, and the visitor
@@ -34,11 +46,15 @@ class KioskStages final : public Stages {
                                         const FeltPart& part) const override;
     [[nodiscard]] Result<LoadedScene> build(const PictureFile& file, const FoundView& found,
                                             const FeltPart& part) const override;
-    [[nodiscard]] bool has_looking() const override;
+
+    [[nodiscard]] bool has_looking() const override { return static_cast<bool>(finder_); }
+
     [[nodiscard]] Result<PagePtr> look(const PagePtr& page) const override;
     [[nodiscard]] Result<PagePtr> look_at(const PagePtr& page, int view,
                                           const Position& place) const override;
-    [[nodiscard]] bool has_reading() const override;
+
+    [[nodiscard]] bool has_reading() const override { return static_cast<bool>(reader_); }
+
     [[nodiscard]] FoundPtr reread(const FoundView& found) const override;
 
   private:

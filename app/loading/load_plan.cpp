@@ -6,6 +6,7 @@
 #include <utility>
 
 namespace touchline {
+
 LoadPlan::LoadPlan(SecondLooks looks, PlanLimits limits) : looks_(looks), limits_(limits) {}
 
 void LoadPlan::want(std::uint64_t request, const ViewOrder& order) {
@@ -16,7 +17,7 @@ void LoadPlan::want(std::uint64_t request, const ViewOrder& order) {
     is_felt_ = false;
     things_.reset();
     tried_.clear();
-    std::stable_partition(kept_.begin(), kept_.end(), [&order](const Kept& kept) {
+    std::ranges::stable_partition(kept_, [&order](const Kept& kept) {
         return is_page_of(kept, order) || is_view_of(kept, order);
     });
     forget_old();
@@ -48,8 +49,8 @@ std::vector<LoadJob> LoadPlan::start() {
 }
 
 std::optional<Delivery> LoadPlan::finish(std::uint64_t number, JobOutcome outcome) {
-    const auto at = std::find_if(running_.begin(), running_.end(),
-                                 [number](const LoadJob& job) { return job.number == number; });
+    const auto at = std::ranges::find_if(
+        running_, [number](const LoadJob& job) { return job.number == number; });
     if (at == running_.end()) return std::nullopt;
     const LoadJob job = std::move(*at);
     running_.erase(at);
@@ -110,15 +111,15 @@ bool LoadPlan::is_view_of(const Kept& kept, const ViewOrder& order) {
 
 const LoadPlan::Kept* LoadPlan::page_of(const ViewOrder& order) const {
     if (aside_ && is_page_of(*aside_, order)) return &*aside_;
-    const auto at = std::find_if(kept_.begin(), kept_.end(),
-                                 [&](const Kept& kept) { return is_page_of(kept, order); });
+    const auto at =
+        std::ranges::find_if(kept_, [&](const Kept& kept) { return is_page_of(kept, order); });
     return at == kept_.end() ? nullptr : &*at;
 }
 
 const LoadPlan::Kept* LoadPlan::view_of(const ViewOrder& order) const {
     // While a page is aside, its other views still have their old numbers.
     const bool is_aside = aside_ && is_page_of(*aside_, order);
-    const auto at = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& kept) {
+    const auto at = std::ranges::find_if(kept_, [&](const Kept& kept) {
         return is_view_of(kept, order) && (!is_aside || is_numbered_as(kept, *aside_));
     });
     return at == kept_.end() ? nullptr : &*at;
@@ -242,19 +243,18 @@ std::optional<LoadJob> LoadPlan::background_job() {
 
 std::optional<LoadJob> LoadPlan::untried(LoadJob job) {
     const Step step = step_of(job);
-    if (std::find(tried_.begin(), tried_.end(), step) != tried_.end()) return std::nullopt;
+    if (std::ranges::find(tried_, step) != tried_.end()) return std::nullopt;
     tried_.push_back(step);
     return job;
 }
 
 /// Only one network runs at a time.
 bool LoadPlan::is_looking() const {
-    return std::any_of(running_.begin(), running_.end(),
-                       [](const LoadJob& job) { return is_look(job.kind); });
+    return std::ranges::any_of(running_, [](const LoadJob& job) { return is_look(job.kind); });
 }
 
 bool LoadPlan::is_running(const LoadJob& job) const {
-    return std::any_of(running_.begin(), running_.end(), [&job](const LoadJob& other) {
+    return std::ranges::any_of(running_, [&job](const LoadJob& other) {
         return step_of(other) == step_of(job) && other.request == job.request;
     });
 }
@@ -297,9 +297,8 @@ void LoadPlan::settle(const LoadJob& job) {
     felt_ = wanted_;
     felt_request_ = request_;
     keep_aside();
-    const bool is_before_look = std::any_of(kept_.begin(), kept_.end(), [&job](const Kept& kept) {
-        return kept.found == job.found && kept.is_before_look;
-    });
+    const bool is_before_look = std::ranges::any_of(
+        kept_, [&job](const Kept& kept) { return kept.found == job.found && kept.is_before_look; });
     if (!is_before_look) kept_.remove_if([](const Kept& kept) { return kept.is_before_look; });
 }
 
@@ -340,8 +339,8 @@ std::optional<Delivery> LoadPlan::keep_thing_at(const LoadJob& job, const Result
 }
 
 void LoadPlan::keep_things(const LoadJob& job, const Result<PagePtr>& page) {
-    const auto at = std::find_if(kept_.begin(), kept_.end(),
-                                 [&job](const Kept& kept) { return kept.page == job.page; });
+    const auto at =
+        std::ranges::find_if(kept_, [&job](const Kept& kept) { return kept.page == job.page; });
     if (at == kept_.end()) return;
     const bool is_in_use =
         wanted_ && (is_page_of(*at, *wanted_) || (felt_ && is_page_of(*at, *felt_)));

@@ -1,17 +1,74 @@
-// Brings pictures to the hand: the plan, the stages and the executor.
+// Brings pictures to the hand: the plan, the stages, and where they are done.
 // Threads: one; no call waits.
 #pragma once
 
-#include "app/loading/executor.h"
 #include "app/loading/load_plan.h"
 #include "app/loading/stages.h"
 
+#include <condition_variable>
+#include <cstddef>
 #include <cstdint>
+#include <deque>
+#include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
+#include <thread>
+#include <utility>
 #include <vector>
 
 namespace touchline {
+
+struct FinishedJob {
+    std::uint64_t number = 0;
+    JobOutcome outcome;
+};
+
+/// Runs jobs beside the caller's thread; in tests, wherever and whenever the test likes. One thread
+/// starts jobs and takes their results.
+class Executor {
+  public:
+    Executor() = default;
+    virtual ~Executor() = default;
+    Executor(const Executor&) = delete;
+    Executor(Executor&&) = delete;
+    Executor& operator=(const Executor&) = delete;
+    Executor& operator=(Executor&&) = delete;
+
+    /// `work` throws nothing. Never waits.
+    virtual void start(std::uint64_t number, std::function<JobOutcome()> work) = 0;
+
+    /// The jobs that ended since the last call. Never waits for one.
+    [[nodiscard]] virtual std::vector<FinishedJob> take_finished() = 0;
+};
+
+/// Runs jobs on its own threads, as many at a time as there are threads. They end with it.
+class ThreadExecutor final : public Executor {
+  public:
+    explicit ThreadExecutor(std::size_t threads);
+
+    /// Waits for the running jobs and drops those not begun.
+    ~ThreadExecutor() override;
+    ThreadExecutor(const ThreadExecutor&) = delete;
+    ThreadExecutor(ThreadExecutor&&) = delete;
+    ThreadExecutor& operator=(const ThreadExecutor&) = delete;
+    ThreadExecutor& operator=(ThreadExecutor&&) = delete;
+
+    void start(std::uint64_t number, std::function<JobOutcome()> work) override;
+    [[nodiscard]] std::vector<FinishedJob> take_finished() override;
+
+  private:
+    using Waiting = std::pair<std::uint64_t, std::function<JobOutcome()>>;
+
+    void run();
+
+    std::mutex mutex_;  // for all below except the threads
+    std::condition_variable changed_;
+    std::deque<Waiting> waiting_;
+    std::vector<FinishedJob> finished_;
+    bool is_ending_ = false;
+    std::vector<std::thread> threads_;
+};
 
 class Loader {
   public:

@@ -27,7 +27,6 @@ namespace touchline {
 struct LoadedFacts {
     std::string title;
     int outline_count = 0;
-    int coarsest_level = 0;
     std::string note;  // one sentence worth telling; may be empty
     PagePlace place = {1, 1, 1, 1};
     std::vector<NamedThing> names = {};  // what the things of a photograph probably are

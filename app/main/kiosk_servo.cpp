@@ -1,13 +1,11 @@
-#include "app/main/kiosk_servo.h"
-
 #include "app/device/board_files.h"
+#include "app/main/kiosk_window.h"
 #include "app/process/places.h"
 #include "app/servo/servo_process.h"
 #include "app/servo/servo_thread.h"
 #include "app/servo/usb_search.h"
 #include "config/types/plain_line.h"
 #include "haptics/device/simulated_pantograph.h"
-#include "haptics/pantograph/profile.h"
 
 #include <string>
 #include <utility>

@@ -1,7 +1,11 @@
 #include "tests/app/kiosk/blind_visitor.h"
 
 #include <algorithm>
+#include <cmath>
+#include <fstream>
 #include <set>
+
+#include <gtest/gtest.h>
 
 namespace touchline {
 namespace {
@@ -11,6 +15,34 @@ constexpr int longest_list = 80;
 /// Returns true if any line of what was said begins with this item; a sentence says its item first.
 bool names(const std::string& heard, const std::string& item) {
     return ("\n" + heard).find("\n" + item) != std::string::npos;
+}
+
+constexpr double felt_frame_s = 1.0 / 60.0;
+constexpr double hand_m_per_s = 0.04;
+
+Position meant(KioskWorld& world) {
+    return world.servo().hand().at(0.0).position;
+}
+
+/// Averages while the hand slides.
+struct Push {
+    double force_N = 0.0;
+    double depth_m = 0.0;
+};
+
+Push push(KioskWorld& world, Position meant_W, Position along) {
+    constexpr double settle_s = 0.5;
+    constexpr int samples = 60;
+    lead_hand(world, meant_W);
+    world.run(settle_s);
+    Push felt;
+    for (int i = 1; i <= samples; ++i) {
+        world.servo().hand().move_to(meant_W + (static_cast<double>(i) / samples) * along);
+        world.run(felt_frame_s);
+        felt.force_N += norm(world.servo().force_on_handle_W()) / samples;
+        felt.depth_m += norm(world.kiosk().hand().p_WP - world.servo().handle_W()) / samples;
+    }
+    return felt;
 }
 
 }  // namespace
@@ -48,6 +80,71 @@ bool BlindVisitor::wait_for(const std::string& words, double most_s) {
         world_.run(0.25);
     }
     return false;
+}
+
+void enter(BlindVisitor& staff) {
+    for (const KeyRole role :
+         {KeyRole::help, KeyRole::up, KeyRole::up, KeyRole::down, KeyRole::down, KeyRole::select})
+        staff.press(role);
+}
+
+void enter_pin(BlindVisitor& staff) {
+    for (int digit = 1; digit <= 4; ++digit) {
+        for (int i = 0; i < digit; ++i) staff.press(KeyRole::up);
+        staff.press(KeyRole::select);
+    }
+    staff.press(KeyRole::select);
+}
+
+void hold_setting(BlindVisitor& staff, std::initializer_list<const char*> names) {
+    enter(staff);
+    enter_pin(staff);
+    enter_pin(staff);
+    for (const char* name : names) ASSERT_TRUE(staff.choose(name)) << staff.heard();
+}
+
+void turn_to_least(BlindVisitor& staff) {
+    constexpr int most_steps = 100;
+    for (int i = 0; i < most_steps; ++i) {
+        staff.press(KeyRole::down);
+        if (staff.heard().find("It goes no further.") != std::string::npos) return;
+    }
+    FAIL() << staff.heard();
+}
+
+void open_walls(KioskWorld& world, const std::string& picture) {
+    std::ofstream(world.site_files().settings.site) << "[feel]\nmode = \"wall\"\n";
+    world.run(2.0);
+    BlindVisitor visitor(world, 0.2);
+    visitor.press(KeyRole::select);
+    ASSERT_TRUE(visitor.choose("English")) << visitor.heard();
+    ASSERT_TRUE(visitor.wait_for("What to feel")) << visitor.heard();
+    ASSERT_TRUE(visitor.choose("Gallery")) << visitor.heard();
+    while (!visitor.find(picture)) {
+        ASSERT_TRUE(visitor.choose("The next ten")) << visitor.heard();
+    }
+    ASSERT_TRUE(visitor.choose(picture)) << visitor.heard();
+    ASSERT_TRUE(visitor.wait_for("Guide me round the")) << visitor.heard();
+    world.run(1.0);
+}
+
+void lead_hand(KioskWorld& world, Position place_W) {
+    const Position from = meant(world);
+    const double way_m = norm(place_W - from);
+    const int frames = static_cast<int>(std::ceil(way_m / (hand_m_per_s * felt_frame_s)));
+    for (int i = 1; i <= frames; ++i) {
+        world.servo().hand().move_to(from + (static_cast<double>(i) / frames) * (place_W - from));
+        world.run(felt_frame_s);
+    }
+}
+
+FeltWall feel_wall(KioskWorld& world, Position deep, Position along) {
+    constexpr double light_share = 0.56;  // share of the way to `deep`: just behind the wall
+    const Position before = meant(world);
+    const Push light = push(world, before + light_share * (deep - before), along);
+    const Push hard = push(world, deep, along);
+    lead_hand(world, before);
+    return {(hard.force_N - light.force_N) / (hard.depth_m - light.depth_m), hard.force_N};
 }
 
 }  // namespace touchline

@@ -1,9 +1,12 @@
-// A visitor who knows only what was said, presses one of six keys and moves the handle.
-// Threads: one.
+// Who is at the kiosk in a test: a visitor who knows only what was said, presses one of six keys
+// and moves the handle; an operator who does the same, also while a visit runs; and a hand that
+// feels the walls of a picture of the gallery: the force that the simulated motors make and the
+// true place of the tip. Threads: one.
 #pragma once
 
 #include "tests/app/kiosk/kiosk_world.h"
 
+#include <initializer_list>
 #include <string>
 
 namespace touchline {
@@ -41,5 +44,39 @@ class BlindVisitor {
     double slowest_answer_s_ = 0.0;
     int keys_ = 0;
 };
+
+/// Presses the keys that open the operator's screens.
+void enter(BlindVisitor& staff);
+
+/// Enters the digits 1, 2, 3, 4.
+void enter_pin(BlindVisitor& staff);
+
+/// Calls enter(), sets a new PIN, goes down to a setting by these names, and holds it.
+void hold_setting(BlindVisitor& staff, std::initializer_list<const char*> names);
+
+/// Turns the held setting down to its least value.
+void turn_to_least(BlindVisitor& staff);
+
+/// A kiosk that reads the files of pictures beforehand, so that only the virtual clock passes time.
+class WallWorld : public KioskWorld {
+  public:
+    WallWorld() : KioskWorld(false, gallery_without_workers()) {}
+};
+
+/// Goes from the start of the kiosk to the picture, by the visitor's keys.
+void open_walls(KioskWorld& world, const std::string& picture);
+
+/// Moves the hand straight there, slowly enough for every speed limit.
+void lead_hand(KioskWorld& world, Position place_W);
+
+struct FeltWall {
+    double stiffness_N_per_m = 0.0;  // added force over added depth behind the proxy
+    double most_force_N = 0.0;
+};
+
+/// The hand pushes lightly, then aims for `deep`, behind a wall; both times it slides on by
+/// `along`. It pushes twice because encoders that round down place the whole wall half a step off;
+/// sliding averages their steps. Then the hand goes back to where it was.
+[[nodiscard]] FeltWall feel_wall(KioskWorld& world, Position deep, Position along);
 
 }  // namespace touchline

@@ -1,6 +1,5 @@
 // Tests the operator's stiffness through the whole kiosk, from the key to the force on the handle.
-#include "tests/app/kiosk/blind_operator.h"
-#include "tests/app/kiosk/felt_wall.h"
+#include "tests/app/kiosk/blind_visitor.h"
 
 #include <algorithm>
 #include <fstream>

@@ -1,9 +1,12 @@
-// Tests what the kiosk carries out for a visit and what it tells the visit, with all its parts.
+// Tests what the kiosk carries out for a visit, and what it tells the visit and the log, with all
+// its parts.
+#include "app/kiosk/watched.h"
 #include "tests/app/kiosk/blind_visitor.h"
 #include "tests/app/kiosk/kiosk_world.h"
 
 #include <filesystem>
 #include <fstream>
+#include <optional>
 
 #include <gtest/gtest.h>
 
@@ -91,6 +94,125 @@ TEST(Kiosk, AStickThatComesAtGoodbyeIsTheNextVisitors) {
     visitor.press(KeyRole::select);
     ASSERT_TRUE(visitor.choose("English"));
     EXPECT_TRUE(visitor.choose("Your USB stick, 1 picture")) << visitor.heard();
+}
+
+TEST(Watched, IsToldOnceAtEachChange) {
+    Watched watched;
+    EXPECT_FALSE(watched.headphones(std::nullopt));
+    EXPECT_TRUE(watched.headphones(false));
+    EXPECT_FALSE(watched.headphones(false));
+    EXPECT_TRUE(watched.listing(true));
+    EXPECT_FALSE(watched.listing(true));
+    EXPECT_FALSE(watched.listing(false)) << "what was found tells it";
+    EXPECT_FALSE(watched.trouble(TroubleKind::sound, ""));
+    const auto began = watched.trouble(TroubleKind::sound, "There is no sound.");
+    EXPECT_TRUE(began && std::holds_alternative<TroubleBegan>(*began));
+    EXPECT_FALSE(watched.trouble(TroubleKind::sound, "There is no sound."));
+    const auto ended = watched.trouble(TroubleKind::sound, "");
+    EXPECT_TRUE(ended && std::holds_alternative<TroubleEnded>(*ended));
+}
+
+TEST(SiteHours, AreLookedAtOnceASecond) {
+    int minute = 8 * 60;
+    SiteHours hours([&minute] { return minute; });
+    Settings settings;
+    settings.opening_hours = "09:00-17:00";
+    settings.quiet_hours = "08:00-09:00";
+    const auto early = hours.look(0.0, settings);
+    ASSERT_TRUE(early && early->change);
+    EXPECT_EQ(early->change->opening, SiteOpening::closed);
+    EXPECT_TRUE(early->is_quiet);
+    minute = 10 * 60;
+    EXPECT_FALSE(hours.look(0.9, settings));
+    const auto late = hours.look(1.0, settings);
+    ASSERT_TRUE(late && late->change);
+    EXPECT_EQ(late->change->opening, SiteOpening::open);
+    EXPECT_FALSE(late->is_quiet);
+    hours.look_again();
+    const auto again = hours.look(1.1, settings);
+    ASSERT_TRUE(again);
+    EXPECT_FALSE(again->change);
+}
+
+TEST(SiteHours, WithoutAClockAreAlwaysOpenAndNeverQuiet) {
+    SiteHours hours({});
+    Settings settings;
+    settings.opening_hours = "09:00-17:00";
+    settings.quiet_hours = "00:00-24:00";
+    const auto now = hours.look(0.0, settings);
+    ASSERT_TRUE(now);
+    EXPECT_FALSE(now->change);
+    EXPECT_FALSE(now->is_quiet);
+}
+
+TEST(VisitLength, IsKnownWhenTheVisitEnds) {
+    VisitLength length;
+    EXPECT_FALSE(length.step(false, 10.0));
+    EXPECT_FALSE(length.step(true, 20.0));
+    EXPECT_FALSE(length.step(true, 50.0));
+    EXPECT_EQ(length.step(false, 80.0), 60.0);
+    EXPECT_FALSE(length.step(false, 90.0));
+}
+
+TEST(MissingParts, ArePatientlyWaitedForAndToldOnce) {
+    MissingParts missing;
+    EXPECT_EQ(missing.step(Part::sound, false, 100.0), "");
+    EXPECT_EQ(missing.step(Part::sound, false, 104.9), "");
+    EXPECT_NE(missing.step(Part::sound, false, 105.0).find("no sound"), std::string::npos);
+    EXPECT_EQ(missing.step(Part::sound, false, 200.0), "");
+}
+
+TEST(MissingParts, AreToldAgainOnlyOnceTheyWereThere) {
+    MissingParts missing;
+    EXPECT_EQ(missing.step(Part::camera, false, 0.0), "");
+    EXPECT_EQ(missing.step(Part::camera, true, 4.0), "");
+    EXPECT_EQ(missing.step(Part::camera, false, 6.0), "");
+    EXPECT_NE(missing.step(Part::camera, false, 11.0), "");
+    EXPECT_EQ(missing.step(Part::camera, true, 12.0), "");
+    EXPECT_EQ(missing.step(Part::camera, false, 13.0), "");
+    EXPECT_NE(missing.step(Part::camera, false, 18.0), "");
+}
+
+TEST(MissingParts, EachHasALineOfItsOwn) {
+    MissingParts missing;
+    for (const Part part : {Part::sticks, Part::sound, Part::camera})
+        EXPECT_EQ(missing.step(part, false, 0.0), "");
+    EXPECT_NE(missing.step(Part::sticks, false, 9.0).find("USB sticks"), std::string::npos);
+    EXPECT_NE(missing.step(Part::sound, false, 9.0).find("sound"), std::string::npos);
+    EXPECT_NE(missing.step(Part::camera, false, 9.0).find("camera"), std::string::npos);
+}
+
+TEST(MissingParts, ASoundThatGoesIsOneLineOfTheLog) {
+    KioskWorld world;
+    world.run(6.0);
+    const std::string before = world.kiosk().take_report();
+    EXPECT_EQ(before.find("no sound"), std::string::npos) << before;
+    world.heard().problem = "There is no sound. Please call the staff.";
+    world.run(6.0);
+    const std::string after = world.kiosk().take_report();
+    EXPECT_NE(after.find("there is no sound: "), std::string::npos) << after;
+    world.run(6.0);
+    EXPECT_EQ(world.kiosk().take_report(), "");
+}
+
+/// A folder stands in place of the counters' file, so writing fails for any user.
+TEST(MissingParts, ADiskThatTakesNothingIsOneLine) {
+    KioskWorld world;
+    OperatorFiles files = world.site_files();
+    std::filesystem::create_directories(files.counters.parent_path() / "write-test");
+    std::vector<std::string> problems;
+    const OperatorSession desk(files, {Language()}, problems);
+    ASSERT_EQ(problems.size(), 1U);
+    EXPECT_NE(problems.front().find("nothing can be kept in"), std::string::npos) << problems[0];
+}
+
+TEST(MissingParts, AFolderForTheSiteIsMadeAndNothingIsSaid) {
+    KioskWorld world;
+    OperatorFiles files = world.site_files();
+    files.counters = world.folder() / "new" / "counters.toml";
+    std::vector<std::string> problems;
+    const OperatorSession desk(files, {Language()}, problems);
+    EXPECT_TRUE(problems.empty()) << problems.front();
 }
 
 }  // namespace

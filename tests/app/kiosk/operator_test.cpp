@@ -1,6 +1,6 @@
 // Tests the operator in the whole kiosk, by six keys and what is said, from a fresh install.
 #include "config/settings/settings_text.h"
-#include "tests/app/kiosk/blind_operator.h"
+#include "tests/app/kiosk/blind_visitor.h"
 #include "tests/app/kiosk/kiosk_world.h"
 
 #include <fstream>

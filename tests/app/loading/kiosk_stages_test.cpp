@@ -4,7 +4,6 @@
 #include "app/decode/files.h"
 #include "app/decode/opening.h"
 #include "app/gallery/gallery.h"
-#include "app/loading/page_reader.h"
 #include "app/trace/page_views.h"
 #include "config/types/map_bytes.h"
 #include "tests/app/decode/files_of_formats.h"

@@ -1,8 +1,6 @@
 // Tests the same loading on real threads.
-#include "app/loading/thread_executor.h"
-
 #include "app/loading/loader.h"
-#include "tests/app/loading/made_up_stages.h"
+#include "tests/app/loading/loading_world.h"
 
 #include <atomic>
 #include <future>

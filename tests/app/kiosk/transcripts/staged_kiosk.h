@@ -8,7 +8,7 @@
 #include "app/operator/operator_items.h"
 #include "haptics/device/homing.h"
 #include "tests/app/kiosk/stepped_servo.h"
-#include "tests/app/kiosk/transcripts/timed_voice.h"
+#include "tests/app/kiosk/transcripts/transcript.h"
 #include "tests/sim/kiosk/sim_file_source.h"
 
 #include <filesystem>

@@ -1,21 +1,17 @@
-#include "app/main/kiosk.h"
+#include "app/main/kiosk_window.h"
 
 #include "app/gallery/gallery.h"
 #include "app/keys/operator_keyboard.h"
-#include "app/kiosk/content_of.h"
 #include "app/kiosk/kiosk.h"
 #include "app/kiosk/stick_source.h"
 #include "app/loading/kiosk_stages.h"
-#include "app/loading/page_reader.h"
-#include "app/loading/thing_finder.h"
-#include "app/loading/thread_executor.h"
-#include "app/main/kiosk_servo.h"
+#include "app/loading/loader.h"
 #include "app/main/life_signs.h"
-#include "app/main/pointer_pace.h"
 #include "app/packs/pack_library.h"
 #include "app/process/places.h"
 #include "app/screen/frame_limiter.h"
 #include "app/screen/kiosk_screen.h"
+#include "app/screen/screen_content.h"
 #include "app/screen/window.h"
 #include "app/sound/sound.h"
 #include "app/sticks/open_stick_port.h"
@@ -37,6 +33,8 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 namespace touchline {
@@ -81,6 +79,24 @@ std::vector<Language> offered(std::vector<Language> languages, const std::string
     }
     if (chosen.empty()) chosen.emplace_back();
     return chosen;
+}
+
+/// What the kiosk's screen shows now. O(items of the screen).
+ScreenContent content_of(const Kiosk& kiosk) {
+    const Visitor& visitor = kiosk.visit().visitor;
+    ScreenContent content;
+    content.screen = kiosk.screen();
+    content.caption = kiosk.caption();
+    content.sound_sign = kiosk.sound_sign();
+    content.text_size = static_cast<TextSize>(visitor.look.text_size);
+    content.palette = static_cast<PaletteName>(visitor.look.palette);
+    content.is_curtain = visitor.look.is_off && !kiosk.is_operator_in();
+    content.preview = kiosk.preview();
+    content.is_preview_on = content.preview != nullptr;
+    content.hand = kiosk.hand();
+    content.shown = kiosk.shown();
+    content.language = kiosk.language();
+    return content;
 }
 
 /// The servo's counts up to a moment.
@@ -347,6 +363,13 @@ int run_kiosk(const KioskArguments& arguments, const ServoStarter& start) {
     if (done) return 0;
     report(done.error().line);
     return 1;
+}
+
+void forbid_core_dumps() {
+    const rlimit none{0, 0};
+    // The system never refuses to lower a limit or give up a right.
+    (void)setrlimit(RLIMIT_CORE, &none);
+    (void)prctl(PR_SET_DUMPABLE, 0UL, 0UL, 0UL, 0UL);
 }
 
 }  // namespace touchline
