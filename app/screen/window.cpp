@@ -1,8 +1,9 @@
 #include "app/screen/window.h"
 
+#include "config/types/steady_clock.h"
+
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <optional>
 #include <utility>
 
@@ -104,9 +105,7 @@ GLFWwindow* create_window(bool is_full_screen) {
 }  // namespace
 
 std::int64_t now_ns() {
-    return std::chrono::duration_cast<std::chrono::nanoseconds>(
-               std::chrono::steady_clock::now().time_since_epoch())
-        .count();
+    return steady_now_ns();
 }
 
 Result<std::unique_ptr<Window>> Window::open(bool is_full_screen, Listener listener) {

@@ -1,4 +1,4 @@
-#include "app/screen/frame_limiter.h"
+#include "app/screen/pace.h"
 
 #include <algorithm>
 
