@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/session/visit_orders.h"
-#include "audio-cues/cues/screen_event.h"
+#include "audio-cues/cues/cue_table.h"
 #include "audio-cues/output/profile.h"
 #include "audio-cues/speech/speech_queue.h"
 #include "config/settings/sound.h"
