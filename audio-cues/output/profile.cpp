@@ -1,6 +1,6 @@
 #include "audio-cues/output/profile.h"
 
-#include "audio-cues/synth/decibel.h"
+#include "audio-cues/synth/gain.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,5 @@
 #include "audio-cues/output/headphones.h"
 
-#include "audio-cues/output/jack_control.h"
-
 #include <gtest/gtest.h>
 
 namespace touchline {

@@ -1,4 +1,6 @@
-#include "audio-cues/words/thing_words.h"
+#include "audio-cues/words/words_of.h"
+
+#include "audio-cues/cues/cue_table.h"
 
 #include <algorithm>
 #include <array>
@@ -105,6 +107,18 @@ std::string place_of(const Group& group, const Language& language) {
 }
 
 }  // namespace
+
+std::string words_of(Place place, const Language& language) {
+    // In the order of Place.
+    static constexpr std::array names{"upper left", "top",    "upper right",
+                                      "left",       "middle", "right",
+                                      "lower left", "bottom", "lower right"};
+    return language.text("place", names[static_cast<std::size_t>(place)]);
+}
+
+std::string words_of(Cue cue, const Language& language) {
+    return language.text("sound", std::string(row_of(cue).name));
+}
 
 std::string words_of(ThingName name, int count, const Language& language) {
     const ThingText& text = kTexts[static_cast<std::size_t>(name)];

@@ -1,6 +1,7 @@
-// Puts into words what a network sees in a picture. Threads: pure functions.
+// Places, sounds, and what a network sees in a picture, in words. Threads: pure functions.
 #pragma once
 
+#include "audio-cues/cues/guidance.h"
 #include "audio-cues/words/language.h"
 #include "config/types/thing_name.h"
 
@@ -8,6 +9,12 @@
 #include <string>
 
 namespace touchline {
+
+/// Returns words such as "upper left".
+[[nodiscard]] std::string words_of(Place place, const Language& language);
+
+/// Returns the name of a sound, as in the list of sounds.
+[[nodiscard]] std::string words_of(Cue cue, const Language& language);
 
 /// Returns "a dog", "3 dogs"; from 4 on "4 dogs or more", because a network's count is unreliable.
 /// `count` >= 1.

@@ -1,4 +1,5 @@
-// A gain that moves without a click. Threads: a plain value.
+// Gains of samples: from levels in dB, and moving without a click. Threads: pure functions and
+// plain values.
 #pragma once
 
 #include "audio-cues/synth/frames.h"
@@ -6,6 +7,16 @@
 #include <cmath>
 
 namespace touchline {
+
+/// Returns the factor on samples; 0 dB is 1. NaN gives 0: silence.
+[[nodiscard]] inline double gain_of_dB(double level_dB) {
+    return std::isnan(level_dB) ? 0.0 : std::pow(10.0, level_dB / 20.0);
+}
+
+/// Returns -infinity for 0.
+[[nodiscard]] inline double dB_of_gain(double gain) {
+    return 20.0 * std::log10(gain);
+}
 
 /// Long enough to avoid a click, short enough to avoid a lag.
 inline constexpr double ramp_s = 0.005;
@@ -27,9 +38,6 @@ class Ramp {
         progress_ = 0.0F;
     }
 
-    /// Jumps at once: for a sound that begins here.
-    void start_at(double value) { *this = Ramp(value, 1.0 / (double(step_) * frame_rate_Hz)); }
-
     [[nodiscard]] float value() const {
         if (is_still()) return to_;
         const float t = progress_;
@@ -41,8 +49,6 @@ class Ramp {
         if (!is_still()) progress_ += step_;
         return value();
     }
-
-    [[nodiscard]] float target() const { return to_; }
 
     [[nodiscard]] bool is_still() const { return progress_ >= 1.0F; }
 
