@@ -1,6 +1,6 @@
 #include "config/settings/boards.h"
 
-#include "config/settings/text_file.h"
+#include "config/settings/settings_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -90,7 +90,7 @@ class TableReader {
 
     void blame(const toml::node& node, const std::string& why) {
         if (!wrong.empty()) return;
-        wrong = file_ + ":" + std::to_string(node.source().begin.line) + ": " + why;
+        wrong = line_in_file(file_, node.source().begin.line, why);
     }
 
     static std::string number(double value) {
@@ -231,10 +231,8 @@ Result<BoardSettings> parse_boards(std::string_view text, std::string_view name)
     try {
         return read_tables(toml::parse(text), name);
     } catch (const toml::parse_error& error) {
-        std::string why(error.description());
-        std::replace(why.begin(), why.end(), '\n', ' ');
-        return failure(std::string(name) + ":" + std::to_string(error.source().begin.line) + ": " +
-                       why);
+        return failure(
+            line_in_file(name, error.source().begin.line, std::string(error.description())));
     }
 }
 
