@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/process/descriptor.h"
-#include "audio-cues/output/headphones.h"
+#include "audio-cues/output/outputs.h"
 
 #include <cstddef>
 #include <functional>

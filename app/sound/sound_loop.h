@@ -4,7 +4,7 @@
 #pragma once
 
 #include "audio-cues/cues/cue_step.h"
-#include "audio-cues/output/headphones.h"
+#include "audio-cues/output/outputs.h"
 #include "audio-cues/output/sound_output.h"
 #include "audio-cues/synth/mixer.h"
 #include "config/types/contact_event.h"

@@ -58,7 +58,7 @@ struct PauseSpeech {
     bool is_paused = false;
 };
 
-/// The output's setting, from its profile (audio-cues/output/profile.h).
+/// The output's setting, from its profile (audio-cues/output/outputs.h).
 struct SetOutput {
     double gain = 1.0;     // volume and calibration
     double cap = 1.0;      // no sample exceeds this peak, 0 ... 1

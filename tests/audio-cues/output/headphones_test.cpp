@@ -1,4 +1,4 @@
-#include "audio-cues/output/headphones.h"
+#include "audio-cues/output/outputs.h"
 
 #include <gtest/gtest.h>
 

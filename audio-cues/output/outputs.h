@@ -1,8 +1,10 @@
-// Whether headphones are plugged in: what is known, from which source, and which output that
-// selects. The sound cards' controls for their sockets ("Headphone Jack") are a source here.
-// Threads: values and pure functions; a source belongs to one thread.
+// The outputs, headset and speaker: which one is heard, by whether headphones are in and who tells
+// so (here also the sound cards' controls for their sockets), and how loud: the volume steps
+// between the levels that an operator set (config/settings/sound.h), and what they mean for the
+// mixer. Threads: values and pure functions; a source belongs to one thread.
 #pragma once
 
+#include "audio-cues/synth/mixer.h"
 #include "config/settings/sound.h"
 
 #include <array>
@@ -83,5 +85,28 @@ class JackControl final : public HeadphonePresence {
     double asked_s_ = -period_s;
     std::optional<bool> are_in_;
 };
+
+/// The engine's speech is this much below a full sine.
+inline constexpr double speech_below_full_dB = 18.8;
+
+/// Returns the number of steps, at least 1.
+[[nodiscard]] std::size_t volume_steps(const OutputProfile& profile);
+
+[[nodiscard]] std::size_t default_volume(const OutputProfile& profile);
+
+/// Returns the level of speech at that step, clamped to the existing ones.
+[[nodiscard]] double level_dB_of(const OutputProfile& profile, std::size_t step);
+
+struct VolumeChange {
+    std::size_t step = 0;
+    bool is_at_end = false;  // nothing changed: this is the loudest or softest step
+};
+
+/// Goes one step up (`change` > 0) or down.
+[[nodiscard]] VolumeChange change_volume(const OutputProfile& profile, std::size_t step,
+                                         int change);
+
+/// Returns the mixer's setting.
+[[nodiscard]] SetOutput output_of(const OutputProfile& profile, std::size_t step);
 
 }  // namespace touchline

@@ -1,2 +1,0 @@
-#pragma once
-#include "config/settings/settings_text.h"
