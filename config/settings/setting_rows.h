@@ -30,10 +30,8 @@ struct SettingRange {
     double step = 1.0;  // per key press
 };
 
-/// What a text may hold. path: from the root, or empty. device: a path below /dev/input, or empty.
-/// hours: "09:00-17:00"; quiet: the same, or empty. languages: codes with blanks between; language:
-/// one code. notice: a line of at most 200 bytes, or empty. name: small letters, digits and "-", or
-/// empty.
+/// What a text may hold; allowed_texts() says it in words. A path has at most 4000 bytes, a
+/// name 40.
 enum class TextKind : std::uint8_t {
     path,
     device,
