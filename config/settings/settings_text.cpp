@@ -19,8 +19,6 @@ namespace {
 struct SettingFault {
     std::size_t line = 0;  // in the text, from 1; 0: the text as a whole
     std::string words;     // one line
-
-    friend auto operator<=>(const SettingFault&, const SettingFault&) = default;
 };
 
 struct SettingsTree {
