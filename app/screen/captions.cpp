@@ -1,6 +1,5 @@
 #include "app/screen/captions.h"
 
-#include "app/screen/page_marks.h"
 #include "app/screen/paint.h"
 
 #include <algorithm>

@@ -2,9 +2,9 @@
 // Threads: one at a time per Canvas.
 #pragma once
 
-#include "app/screen/arrangement.h"
+#include "app/screen/layout.h"
 #include "app/screen/pages.h"
-#include "app/screen/text_lines.h"
+#include "app/screen/text.h"
 #include "audio-cues/words/language.h"
 
 #include <string>

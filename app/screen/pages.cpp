@@ -80,6 +80,12 @@ double mark_room_px(PhraseMark mark, double cap_px) {
     return mark == PhraseMark::none ? 0.0 : 1.1 * cap_px;
 }
 
+std::string page_words(std::size_t page, std::size_t pages, const Language& language) {
+    if (pages < 2) return {};
+    return language.text("page", "Page {0} of {1}",
+                         {std::to_string(page + 1), std::to_string(pages)});
+}
+
 std::vector<SheetPage> pages_of(std::span<const RowBlock> blocks, const PageMetrics& metrics) {
     PageFiller filler(metrics);
     for (const RowBlock& block : blocks) filler.add(block);

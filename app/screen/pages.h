@@ -4,6 +4,7 @@
 #pragma once
 
 #include "app/screen/layout.h"
+#include "audio-cues/words/language.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -68,6 +69,9 @@ struct SheetPage {
 /// Returns at least one page. A page too low for a single row still holds one. O(phrases).
 [[nodiscard]] std::vector<SheetPage> pages_of(std::span<const RowBlock> blocks,
                                               const PageMetrics& metrics);
+
+/// "Page 2 of 3": `page` counts from 0. Empty if there are fewer than two pages.
+[[nodiscard]] std::string page_words(std::size_t page, std::size_t pages, const Language& language);
 
 /// How long a page is shown when pages turn by themselves: enough for slow readers.
 [[nodiscard]] std::int64_t reading_time_ns(const SheetPage& page);

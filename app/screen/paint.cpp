@@ -1,6 +1,6 @@
 #include "app/screen/paint.h"
 
-#include "app/screen/rendered_path.h"
+#include "app/screen/marks.h"
 
 #include <algorithm>
 
@@ -18,10 +18,6 @@ void set_pen(cairo_t* cr, double width_px, const Paint& paint) {
     cairo_set_line_width(cr, width_px);
     cairo_set_line_cap(cr, CAIRO_LINE_CAP_ROUND);
     cairo_set_line_join(cr, CAIRO_LINE_JOIN_ROUND);
-}
-
-void line_to(cairo_t* cr, PixelPoint p) {
-    cairo_line_to(cr, p.x, p.y);
 }
 
 void paint_image(cairo_t* cr, const Rect& rect, const Canvas& image, double alpha) {
@@ -68,22 +64,19 @@ void paint_preview(cairo_t* cr, const Rect& rect, const Canvas& frame) {
 
 void paint_outlines(cairo_t* cr, const View& view, const CurveSet& curves, double level,
                     double width_px, const Paint& paint) {
-    set_pen(cr, width_px, paint);
     for (int piece = 0; piece < static_cast<int>(curves.pieces().size()); ++piece) {
-        cairo_new_path(cr);
-        for (const PixelPoint p : rendered_path(curves, piece, level, view)) line_to(cr, p);
-        cairo_stroke(cr);
+        const PixelLine line = rendered_path(curves, piece, level, view);
+        paint_lines(cr, {&line, 1}, width_px, paint);
     }
 }
 
 void paint_path(cairo_t* cr, const View& view, std::span<const Position> path, double width_px,
                 const Paint& paint) {
-    set_pen(cr, width_px, paint);
-    cairo_new_path(cr);
+    PixelLine line;
     for (const Position& p : path) {
-        if (is_finite(p)) line_to(cr, view.to_px(p));
+        if (is_finite(p)) line.push_back(view.to_px(p));
     }
-    cairo_stroke(cr);
+    paint_lines(cr, {&line, 1}, width_px, paint);
 }
 
 void paint_forces(cairo_t* cr, const View& view, std::span<const ForceMark> marks, double px_per_N,
@@ -91,27 +84,19 @@ void paint_forces(cairo_t* cr, const View& view, std::span<const ForceMark> mark
     constexpr double least_N = 0.02;
     for (const ForceMark& mark : marks) {
         if (!(norm(mark.force) >= least_N) || !is_finite(mark.at)) continue;
-        const PixelPoint from = view.to_px(mark.at);
-        const PixelPoint reach{px_per_N * mark.force.x, -px_per_N * mark.force.y};
-        paint_arrow(cr, from, from + reach, width_px, {white_on_black.force});
+        paint_lines(cr, force_arrow(view.to_px(mark.at), mark.force, px_per_N, width_px), width_px,
+                    {white_on_black.force});
     }
 }
 
-void paint_stroke(cairo_t* cr, PixelPoint from, PixelPoint to, double width_px,
-                  const Paint& paint) {
+void paint_lines(cairo_t* cr, std::span<const PixelLine> lines, double width_px,
+                 const Paint& paint) {
     set_pen(cr, width_px, paint);
     cairo_new_path(cr);
-    for (const PixelPoint p : {from, to}) line_to(cr, p);
-    cairo_stroke(cr);
-}
-
-void paint_arrow(cairo_t* cr, PixelPoint from, PixelPoint to, double width_px, const Paint& paint) {
-    set_pen(cr, width_px, paint);
-    const Barbs barbs = barbs_of(from, to, 4.0 * width_px);
-    cairo_new_path(cr);
-    for (const PixelPoint p : {from, to, barbs.left}) line_to(cr, p);
-    cairo_move_to(cr, to.x, to.y);
-    line_to(cr, barbs.right);
+    for (const PixelLine& line : lines) {
+        cairo_new_sub_path(cr);
+        for (const PixelPoint p : line) cairo_line_to(cr, p.x, p.y);
+    }
     cairo_stroke(cr);
 }
 

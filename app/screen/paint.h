@@ -5,6 +5,7 @@
 
 #include "app/screen/canvas.h"
 #include "app/screen/layout.h"
+#include "app/screen/marks.h"
 #include "app/screen/theme.h"
 #include "config/types/vec2.h"
 #include "haptics/curve/curve_set.h"
@@ -40,14 +41,12 @@ struct ForceMark {
     Force force;
 };
 
-/// Paints arrows of px_per_N pixels per newton, pointing the way the hand is pushed. Leaves out
-/// forces under 0.02 N.
+/// Paints arrows of px_per_N pixels per newton. Leaves out forces under 0.02 N.
 void paint_forces(cairo_t* cr, const View& view, std::span<const ForceMark> marks, double px_per_N,
                   double width_px);
 
-void paint_stroke(cairo_t* cr, PixelPoint from, PixelPoint to, double width_px, const Paint& paint);
-
-/// Paints an arrow from one point of the screen to another.
-void paint_arrow(cairo_t* cr, PixelPoint from, PixelPoint to, double width_px, const Paint& paint);
+/// Paints lines (marks.h) in one stroke.
+void paint_lines(cairo_t* cr, std::span<const PixelLine> lines, double width_px,
+                 const Paint& paint);
 
 }  // namespace touchline

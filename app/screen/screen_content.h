@@ -1,17 +1,24 @@
 // The content of the visitor's or operator's screen in one frame.
-// Threads: a value that shares what does not change.
+// Threads: values that share what does not change.
 #pragma once
 
-#include "app/screen/shown_scene.h"
+#include "app/screen/canvas.h"
 #include "app/screen/theme.h"
 #include "app/session/screen_model.h"
 #include "audio-cues/words/language.h"
 #include "config/types/hand_state.h"
+#include "haptics/collision/scene.h"
 
 #include <memory>
 #include <string>
 
 namespace touchline {
+
+/// Empty before the first picture.
+struct ShownScene {
+    std::shared_ptr<const Scene> scene;
+    std::shared_ptr<const Canvas> picture;
+};
 
 struct ScreenContent {
     SpokenScreen screen;

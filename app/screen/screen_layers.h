@@ -4,7 +4,7 @@
 #pragma once
 
 #include "app/screen/captions.h"
-#include "app/screen/change_pace.h"
+#include "app/screen/pace.h"
 #include "app/screen/screen_content.h"
 #include "app/screen/sheet.h"
 

@@ -55,10 +55,9 @@ void paint_legend(cairo_t* cr, double top_px) {
     for (const LegendEntry& entry : legend) {
         const PixelPoint from = at + PixelPoint{0.0, 0.8 * figure_cap_px};
         const PixelPoint to = from + PixelPoint{px_per_N, 0.0};
-        if (entry.is_arrow)
-            paint_arrow(cr, from, to, entry.width_px, entry.paint);
-        else
-            paint_stroke(cr, from, to, entry.width_px, entry.paint);
+        const auto lines =
+            entry.is_arrow ? arrow(from, to, entry.width_px) : std::vector<PixelLine>{{from, to}};
+        paint_lines(cr, lines, entry.width_px, entry.paint);
         const std::array<TextRun, 1> words{TextRun{entry.words}};
         paint_text(cr, {to.x + 0.7 * figure_cap_px, at.y}, column_px, 0.8 * figure_cap_px, words);
         at.x += column_px;

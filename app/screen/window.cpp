@@ -1,8 +1,9 @@
 #include "app/screen/window.h"
 
+#include "config/types/steady_clock.h"
+
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <optional>
 #include <utility>
 
@@ -70,10 +71,15 @@ struct DisplayPlace {
     friend bool operator==(const DisplayPlace&, const DisplayPlace&) = default;
 };
 
+/// Null without a monitor.
+const GLFWvidmode* mode_of(GLFWmonitor* monitor) {
+    return monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
+}
+
 /// Nothing while there is no monitor that shows anything.
 std::optional<DisplayPlace> place_of_monitor() {
     GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
-    const GLFWvidmode* const mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
+    const GLFWvidmode* const mode = mode_of(monitor);
     if (mode == nullptr || mode->width <= 0 || mode->height <= 0) return std::nullopt;
     DisplayPlace place{0, 0, mode->width, mode->height};
     glfwGetMonitorPos(monitor, &place.x, &place.y);
@@ -94,7 +100,7 @@ GLFWwindow* create_window(bool is_full_screen) {
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
     glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);
     GLFWmonitor* const monitor = is_full_screen ? glfwGetPrimaryMonitor() : nullptr;
-    const GLFWvidmode* const mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
+    const GLFWvidmode* const mode = mode_of(monitor);
     const int width = mode != nullptr ? mode->width : 1280;
     const int height = mode != nullptr ? mode->height : 800;
     return glfwCreateWindow(width, height, "Touchline", mode != nullptr ? monitor : nullptr,
@@ -104,9 +110,7 @@ GLFWwindow* create_window(bool is_full_screen) {
 }  // namespace
 
 std::int64_t now_ns() {
-    return std::chrono::duration_cast<std::chrono::nanoseconds>(
-               std::chrono::steady_clock::now().time_since_epoch())
-        .count();
+    return steady_now_ns();
 }
 
 Result<std::unique_ptr<Window>> Window::open(bool is_full_screen, Listener listener) {
@@ -185,7 +189,7 @@ void Window::follow_monitor() {
 
 double Window::mm_per_px() const {
     GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
-    const GLFWvidmode* const mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
+    const GLFWvidmode* const mode = mode_of(monitor);
     if (mode == nullptr || mode->width <= 0) return 0.0;
     int width_mm = 0;
     int height_mm = 0;

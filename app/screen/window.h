@@ -1,20 +1,44 @@
-// The kiosk's window: GLFW, an OpenGL context, keys and the pointer.
+// The kiosk's window: GLFW, an OpenGL context, keys, the pointer and the knob of a joystick.
 // Threads: the main thread only, as GLFW demands. One window at a time.
 #pragma once
 
-#include "app/screen/knob.h"
 #include "app/screen/layout.h"
 #include "config/settings/keys.h"
 #include "config/types/result.h"
 
+#include <cmath>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
+#include <numbers>
+#include <optional>
 #include <vector>
 
 struct GLFWwindow;
 
 namespace touchline {
+
+/// A knob on a joystick: an axis whose whole range is one turn. A plain value.
+class Knob {
+  public:
+    /// Returns how far it turned since it last moved, counter-clockwise; the axis is -1 ... 1,
+    /// clockwise. An endless knob wraps around. Returns 0 for a missing axis, for the first value
+    /// after it comes back, and for noise.
+    [[nodiscard]] double step(std::optional<double> axis) {
+        constexpr double noise = 0.004;  // one count of 8 bits is 0.008
+        const double now = axis.value_or(nowhere);
+        const double turned = std::remainder(now - last_, 2.0);
+        if (std::abs(turned) < noise) return 0.0;
+        last_ = now;
+        return std::isfinite(turned) ? -std::numbers::pi * turned : 0.0;
+    }
+
+  private:
+    static constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
+
+    double last_ = nowhere;
+};
 
 /// The present time of Window::wait_until()'s clock (the steady clock).
 [[nodiscard]] std::int64_t now_ns();

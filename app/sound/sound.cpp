@@ -1,8 +1,10 @@
 #include "app/sound/sound.h"
 
-#include "audio-cues/cues/cue_sounds.h"
+#include "app/process/places.h"
+#include "app/sound/headphone_switch.h"
 #include "audio-cues/cues/guidance.h"
-#include "audio-cues/synth/earcon.h"
+#include "audio-cues/output/sound_device.h"
+#include "audio-cues/synth/voices.h"
 #include "config/types/steady_clock.h"
 
 #include <algorithm>
@@ -153,6 +155,17 @@ std::string Sound::problem() const {
     return is_silent ? languages_[std::min(wanted_.language, languages_.size() - 1)].text(
                            "speech", "There is no sound. Please call the staff.")
                      : "";
+}
+
+SoundParts sound_parts() {
+    SoundParts parts;
+    parts.world = {std::make_unique<SdlDevice>(), std::make_unique<HeadphoneSwitch>(),
+                   std::make_unique<JackControl>()};
+    parts.settings = read_sound_settings(sound_file(), parts.problems);
+    parts.languages = read_languages(words_folder(), parts.problems);
+    parts.prompts = RecordedPrompts::read(prompts_folder().string(), parts.problems);
+    parts.speak_program = companion("touchline-speak");
+    return parts;
 }
 
 }  // namespace touchline

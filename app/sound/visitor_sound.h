@@ -3,8 +3,8 @@
 #pragma once
 
 #include "app/session/visit_orders.h"
-#include "audio-cues/cues/screen_event.h"
-#include "audio-cues/output/profile.h"
+#include "audio-cues/cues/cue_table.h"
+#include "audio-cues/output/outputs.h"
 #include "audio-cues/speech/speech_queue.h"
 #include "config/settings/sound.h"
 #include "config/types/contact_event.h"

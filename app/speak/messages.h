@@ -2,8 +2,7 @@
 // Threads: plain values.
 #pragma once
 
-#include "audio-cues/speech/speech_rate.h"
-#include "audio-cues/speech/speech_text.h"
+#include "audio-cues/speech/speech_input.h"
 
 #include <array>
 #include <cstddef>

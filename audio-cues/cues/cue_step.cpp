@@ -45,4 +45,9 @@ CueStep cue_step(const CueState& state, ScreenEvent event, double time_s) {
     return sounded(state, {*row.cue, time_s, 0.0, row.is_alert});
 }
 
+MixerCommand sound_of(const CueAt& cue, FrameTime frame) {
+    const CueRow& row = row_of(cue.cue);
+    return {frame, PlayEarcon{row.earcon, row.level, cue.pan, cue.is_alert}};
+}
+
 }  // namespace touchline

@@ -1,7 +1,9 @@
-// Turns events into cues: a pure step. Threads: values and pure functions.
+// Turns events into cues, and cues into commands for the mixer: pure steps. Threads: values and
+// pure functions.
 #pragma once
 
 #include "audio-cues/cues/cue_table.h"
+#include "audio-cues/synth/mixer.h"
 
 #include <array>
 #include <optional>
@@ -31,5 +33,8 @@ struct CueStep {
 
 /// The same for the screen; `time_s` by the servo's clock. The cue is always in the middle.
 [[nodiscard]] CueStep cue_step(const CueState& state, ScreenEvent event, double time_s);
+
+/// Returns what the mixer plays; `frame` is when it sounds.
+[[nodiscard]] MixerCommand sound_of(const CueAt& cue, FrameTime frame);
 
 }  // namespace touchline

@@ -1,19 +1,73 @@
-// Which event gives which sound. This is the only such table, also for people (README.md is made
-// from it).
-// Threads: constant data and pure functions.
+// The short sounds by name, the events at the keys and on the screen that are worth one, and which
+// event gives which sound. This is the only such table, also for people (README.md is made from
+// it). Threads: constant data and pure functions.
 #pragma once
 
-#include "audio-cues/cues/cue.h"
-#include "audio-cues/cues/screen_event.h"
-#include "audio-cues/synth/earcon.h"
+#include "audio-cues/synth/voices.h"
+#include "config/types/choices.h"
 #include "config/types/contact_event.h"
+#include "config/types/vec2.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
 namespace touchline {
+
+/// In pairs of opposites; the first one rises or is brighter than the second.
+enum class Cue : std::uint8_t {
+    touch,  // a line is there
+    leave,
+    corner,  // the line turns
+    end,     // the line stops
+    label,   // a named spot
+    cross,   // to the other side, or to another line
+    finer,
+    coarser,
+    area_entered,
+    area_left,
+    key,      // a key was accepted
+    refused,  // the key means nothing here
+};
+
+inline constexpr std::size_t cue_count = 12;
+
+/// A cue at a place in the picture.
+struct CueAt {
+    Cue cue = Cue::touch;
+    double time_s = 0.0;  // when its event occurred, since the servo started
+    double pan = 0.0;     // -1 left ... 1 right
+    bool is_alert = false;
+};
+
+/// Half the width and height of the drawing area.
+struct CueArea {
+    double half_width_m = 0.058;
+    double half_height_m = 0.042;
+};
+
+/// Returns -1 at the left edge of the area ... 1 at the right one, clamped; 0 if not finite.
+[[nodiscard]] double pan_of(Position place_W, const CueArea& area);
+
+/// Events at the keys and on the screen that are worth a sound.
+enum class ScreenEvent : std::uint8_t {
+    key_taken,
+    key_refused,    // the key means nothing here
+    list_end,       // the list starts again
+    picture_ready,  // another picture is felt
+    picture_failed,
+    label_reached,  // the hand came to a named spot
+    fault,          // force went off by itself
+    progress,       // work is under way
+    time_out,       // is anybody there?
+    shutter,        // the camera took a picture
+    news,           // a stick was plugged in, or words were found
+};
+
+inline constexpr std::size_t screen_event_count = 11;
 
 /// How a cue sounds, and the words in which an operator finds it.
 struct CueRow {

@@ -2,8 +2,8 @@
 // Threads: pure functions.
 #pragma once
 
-#include "audio-cues/cues/cue.h"
-#include "audio-cues/synth/continuous_voice.h"
+#include "audio-cues/cues/cue_table.h"
+#include "audio-cues/synth/voices.h"
 
 #include <optional>
 

@@ -1,10 +1,12 @@
-// Where frames go: the one interface of sound, so that tests need no card.
+// Where frames go: the one interface of sound, so that tests need no card, and a sound card through
+// SDL2.
 // Threads: all calls from one; the source is called from the device's.
 #pragma once
 
 #include "audio-cues/synth/frames.h"
 #include "config/types/result.h"
 
+#include <cstdint>
 #include <functional>
 #include <span>
 
@@ -31,6 +33,23 @@ class SoundDevice {
 
     /// True if it is open but unplugged, as the system reports.
     [[nodiscard]] virtual bool is_gone() const = 0;
+};
+
+/// The environment's SDL_AUDIODRIVER chooses the driver (in tests `dummy` and `disk`). Installs no
+/// signal handler and needs no window.
+class SdlDevice final : public SoundDevice {
+  public:
+    ~SdlDevice() override { close(); }
+
+    [[nodiscard]] Result<void> open(FrameSource source) override;
+    void close() override;
+    [[nodiscard]] bool is_gone() const override;
+
+  private:
+    static void fill(void* device, std::uint8_t* bytes, int count);
+
+    FrameSource source_;
+    std::uint32_t id_ = 0;  // 0: closed
 };
 
 }  // namespace touchline

@@ -1,6 +1,6 @@
 #include "audio-cues/speech/espeak_engine.h"
 
-#include "audio-cues/speech/speech_text.h"
+#include "audio-cues/speech/speech_input.h"
 
 #include <cstddef>
 

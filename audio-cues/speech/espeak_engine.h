@@ -3,7 +3,7 @@
 // is global.
 #pragma once
 
-#include "audio-cues/speech/speech_rate.h"
+#include "audio-cues/speech/speech_input.h"
 #include "config/types/result.h"
 
 #include <cstdint>

@@ -2,11 +2,9 @@
 #pragma once
 
 #include "audio-cues/synth/command_queue.h"
-#include "audio-cues/synth/continuous_voice.h"
-#include "audio-cues/synth/ducker.h"
-#include "audio-cues/synth/earcon.h"
 #include "audio-cues/synth/limiter.h"
 #include "audio-cues/synth/speech_feed.h"
+#include "audio-cues/synth/voices.h"
 
 #include <array>
 #include <atomic>
@@ -14,6 +12,26 @@
 #include <variant>
 
 namespace touchline {
+
+inline constexpr double duck_dB = -12.0;
+inline constexpr double duck_down_s = 0.03;  // all the way
+inline constexpr double duck_hold_s = 0.30;  // the pause between two sentences
+inline constexpr double duck_up_s = 0.25;    // all the way
+
+/// Lowers one bus while another sounds.
+class Ducker {
+  public:
+    /// Advances by `seconds`, during which `is_other_sounding` holds. Returns the gain to arrive
+    /// at, 1 if nothing has sounded for duck_hold_s and duck_up_s.
+    double step(bool is_other_sounding, double seconds);
+
+    [[nodiscard]] double gain() const { return gain_; }
+
+  private:
+    double level_dB_ = 0.0;
+    double hold_s_ = 0.0;
+    double gain_ = 1.0;
+};
 
 enum class Bus : std::uint8_t { speech, earcon, continuous, alert };
 
@@ -40,7 +58,7 @@ struct PauseSpeech {
     bool is_paused = false;
 };
 
-/// The output's setting, from its profile (audio-cues/output/profile.h).
+/// The output's setting, from its profile (audio-cues/output/outputs.h).
 struct SetOutput {
     double gain = 1.0;     // volume and calibration
     double cap = 1.0;      // no sample exceeds this peak, 0 ... 1

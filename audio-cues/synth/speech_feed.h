@@ -1,7 +1,7 @@
 // Passes samples of speech to the mixer, from one thread to one, without a lock.
 #pragma once
 
-#include "audio-cues/synth/ramp.h"
+#include "audio-cues/synth/gain.h"
 
 #include <atomic>
 #include <cstddef>

@@ -49,7 +49,7 @@ class Language {
     /// The speech engine's voice.
     [[nodiscard]] std::string voice() const { return text("voice", "en"); }
 
-    /// How to write for that voice what it would say wrong (audio-cues/speech/respelling.h).
+    /// How to write for that voice what it would say wrong (audio-cues/speech/speech_input.h).
     [[nodiscard]] std::string respelling() const;
 
     /// The voice's words a minute, relative to the English one at the same setting: 0.5 ... 2, and

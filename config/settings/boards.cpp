@@ -1,6 +1,6 @@
 #include "config/settings/boards.h"
 
-#include "config/settings/text_file.h"
+#include "config/settings/settings_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,14 +35,14 @@ class TableReader {
             return std::nullopt;
         }
         const auto value = node->value<T>();
-        if (!value) blame(*node, "'" + std::string(key) + "' must be " + std::string(what));
+        if (!value) blame_value(*node, key, std::string(what));
         return value;
     }
 
     std::uint16_t read_id(std::string_view key) {
         const auto id = read<std::int64_t>(key, "a number from 1 to 0xffff", true);
         if (id && (*id < 1 || *id > 0xffff))
-            blame(*table_.get(key), "'" + std::string(key) + "' must be a number from 1 to 0xffff");
+            blame_value(*table_.get(key), key, "a number from 1 to 0xffff");
         return static_cast<std::uint16_t>(id.value_or(0));
     }
 
@@ -58,8 +58,7 @@ class TableReader {
         const bool is_pair = pair != nullptr && pair->size() == 2;
         const auto one = is_pair ? pair->get(0)->value_exact<bool>() : std::nullopt;
         const auto two = is_pair ? pair->get(1)->value_exact<bool>() : std::nullopt;
-        if (!one || !two)
-            blame(*node, "'" + std::string(key) + "' must be true or false twice, one a joint");
+        if (!one || !two) blame_value(*node, key, "true or false twice, one a joint");
         return {one.value_or(false), two.value_or(false)};
     }
 
@@ -74,8 +73,7 @@ class TableReader {
         };
         if (pair != nullptr && pair->size() == 2 && at(0) && at(1))
             return JointAngles{*at(0), *at(1)};
-        blame(*node, "'" + std::string(key) + "' must be two numbers, one a joint, from " +
-                         number(least) + " to " + number(greatest));
+        blame_value(*node, key, "two numbers, one a joint, " + range(least, greatest));
         return std::nullopt;
     }
 
@@ -83,25 +81,28 @@ class TableReader {
     std::optional<double> read_number(std::string_view key, double least, double greatest) {
         const auto value = read<double>(key, "a number", false);
         if (value && !(*value >= least && *value <= greatest))
-            blame(*table_.get(key), "'" + std::string(key) + "' must be a number from " +
-                                        number(least) + " to " + number(greatest));
+            blame_value(*table_.get(key), key, "a number " + range(least, greatest));
         return value;
     }
 
     void blame(const toml::node& node, const std::string& why) {
         if (!wrong.empty()) return;
-        wrong = file_ + ":" + std::to_string(node.source().begin.line) + ": " + why;
-    }
-
-    static std::string number(double value) {
-        std::ostringstream text;
-        text << value;
-        return text.str();
+        wrong = line_in_file(file_, node.source().begin.line, why);
     }
 
     std::string wrong;
 
   private:
+    void blame_value(const toml::node& node, std::string_view key, const std::string& what) {
+        blame(node, "'" + std::string(key) + "' must be " + what);
+    }
+
+    static std::string range(double least, double greatest) {
+        std::ostringstream text;
+        text << "from " << least << " to " << greatest;
+        return text.str();
+    }
+
     const toml::table& table_;
     std::string file_;
 };
@@ -231,10 +232,8 @@ Result<BoardSettings> parse_boards(std::string_view text, std::string_view name)
     try {
         return read_tables(toml::parse(text), name);
     } catch (const toml::parse_error& error) {
-        std::string why(error.description());
-        std::replace(why.begin(), why.end(), '\n', ' ');
-        return failure(std::string(name) + ":" + std::to_string(error.source().begin.line) + ": " +
-                       why);
+        return failure(
+            line_in_file(name, error.source().begin.line, std::string(error.description())));
     }
 }
 

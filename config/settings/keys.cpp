@@ -1,6 +1,6 @@
 #include "config/settings/keys.h"
 
-#include "config/settings/text_file.h"
+#include "config/settings/settings_text.h"
 
 #include <algorithm>
 #include <array>
@@ -114,8 +114,7 @@ std::string name_of_key(std::uint32_t code) {
 
 tl::unexpected<Error> wrong(std::string_view name, const toml::source_region& source,
                             std::string why) {
-    std::replace(why.begin(), why.end(), '\n', ' ');
-    return failure(std::string(name) + ":" + std::to_string(source.begin.line) + ": " + why);
+    return failure(line_in_file(name, source.begin.line, std::move(why)));
 }
 
 std::string roles_in_words() {
@@ -189,38 +188,20 @@ struct Reader {
 
 /// config/defaults/keys.toml, compiled in, so that the kiosk has keys whatever happened to its
 /// files.
+struct KeysOfRole {
+    KeyRole role;
+    std::array<std::string_view, 5> names;  // empty after the last
+};
+
 constexpr std::array default_names{
-    std::pair{KeyRole::up, "up"},
-    std::pair{KeyRole::up, "F17"},
-    std::pair{KeyRole::up, "joystick 0"},
-    std::pair{KeyRole::down, "down"},
-    std::pair{KeyRole::down, "F18"},
-    std::pair{KeyRole::down, "joystick 1"},
-    std::pair{KeyRole::back, "left"},
-    std::pair{KeyRole::back, "escape"},
-    std::pair{KeyRole::back, "F19"},
-    std::pair{KeyRole::back, "joystick 2"},
-    std::pair{KeyRole::repeat, "right"},
-    std::pair{KeyRole::repeat, "F20"},
-    std::pair{KeyRole::repeat, "joystick 3"},
-    std::pair{KeyRole::select, "enter"},
-    std::pair{KeyRole::select, "space"},
-    std::pair{KeyRole::select, "F21"},
-    std::pair{KeyRole::select, "joystick 4"},
-    std::pair{KeyRole::select, "handle 0"},
-    std::pair{KeyRole::help, "H"},
-    std::pair{KeyRole::help, "F1"},
-    std::pair{KeyRole::help, "F22"},
-    std::pair{KeyRole::help, "joystick 5"},
-    std::pair{KeyRole::louder, "equals"},
-    std::pair{KeyRole::louder, "plus"},
-    std::pair{KeyRole::louder, "volume up"},
-    std::pair{KeyRole::louder, "F23"},
-    std::pair{KeyRole::louder, "scancode 123"},
-    std::pair{KeyRole::softer, "minus"},
-    std::pair{KeyRole::softer, "volume down"},
-    std::pair{KeyRole::softer, "F24"},
-    std::pair{KeyRole::softer, "scancode 122"},
+    KeysOfRole{KeyRole::up, {"up", "F17", "joystick 0"}},
+    KeysOfRole{KeyRole::down, {"down", "F18", "joystick 1"}},
+    KeysOfRole{KeyRole::back, {"left", "escape", "F19", "joystick 2"}},
+    KeysOfRole{KeyRole::repeat, {"right", "F20", "joystick 3"}},
+    KeysOfRole{KeyRole::select, {"enter", "space", "F21", "joystick 4", "handle 0"}},
+    KeysOfRole{KeyRole::help, {"H", "F1", "F22", "joystick 5"}},
+    KeysOfRole{KeyRole::louder, {"equals", "plus", "volume up", "F23", "scancode 123"}},
+    KeysOfRole{KeyRole::softer, {"minus", "volume down", "F24", "scancode 122"}},
 };
 
 }  // namespace
@@ -248,8 +229,9 @@ std::optional<PhysicalKey> key_named(std::string_view name) {
 
 KeyTable default_keys() {
     KeyTable table;
-    for (const auto& [role, name] : default_names)
-        if (const auto key = key_named(name)) table.bindings.push_back({*key, role});
+    for (const auto& [role, names] : default_names)
+        for (const std::string_view name : names)
+            if (const auto key = key_named(name)) table.bindings.push_back({*key, role});
     return table;
 }
 

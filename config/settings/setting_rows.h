@@ -1,6 +1,6 @@
 // The only table of settings. Validation, the operator's screens, the spoken texts and the
 // reference page in config/README.md all come from it. A new setting is a member of Settings and a
-// row. Threads: constant data and pure functions.
+// row (setting_table.cpp). Threads: constant data and pure functions.
 #pragma once
 
 #include "config/settings/settings.h"
@@ -30,10 +30,8 @@ struct SettingRange {
     double step = 1.0;  // per key press
 };
 
-/// What a text may hold. path: from the root, or empty. device: a path below /dev/input, or empty.
-/// hours: "09:00-17:00"; quiet: the same, or empty. languages: codes with blanks between; language:
-/// one code. notice: a line of at most 200 bytes, or empty. name: small letters, digits and "-", or
-/// empty.
+/// What a text may hold; allowed_texts() says it in words. A path has at most 4000 bytes, a
+/// name 40.
 enum class TextKind : std::uint8_t {
     path,
     device,
@@ -104,5 +102,31 @@ struct SettingConflict {
 
 /// Returns the table as Markdown, for config/README.md; ends with a newline.
 [[nodiscard]] std::string settings_as_markdown();
+
+inline constexpr int minutes_a_day = 24 * 60;
+
+/// From one minute of the day to another; past midnight if the end is before the beginning.
+struct HoursOfDay {
+    int begin_min = 0;            // 0 ... 1439
+    int end_min = minutes_a_day;  // 1 ... 1440, never equal to the beginning
+
+    friend bool operator==(const HoursOfDay&, const HoursOfDay&) = default;
+};
+
+/// Parses "09:00-17:00"; returns nothing for anything else.
+[[nodiscard]] std::optional<HoursOfDay> hours_in(std::string_view text);
+
+[[nodiscard]] std::string hours_text(const HoursOfDay& hours);
+
+/// Returns whether this minute of the day, 0 ... 1439, is among them. The end is not.
+[[nodiscard]] bool is_within(const HoursOfDay& hours, int minute);
+
+/// Parses "en de fr": at least one code, at most 16, each once; returns nothing for anything else.
+[[nodiscard]] std::optional<std::vector<std::string>> languages_in_text(std::string_view text);
+
+[[nodiscard]] bool is_allowed(TextKind kind, std::string_view text);
+
+/// Describes what may be written, in English, for files and their errors.
+[[nodiscard]] std::string_view allowed_texts(TextKind kind);
 
 }  // namespace touchline

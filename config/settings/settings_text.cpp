@@ -1,12 +1,11 @@
 #include "config/settings/settings_text.h"
 
-#include "config/settings/setting_texts.h"
-#include "config/settings/settings_syntax.h"
-#include "config/settings/text_file.h"
+#include "config/settings/setting_rows.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <fstream>
 #include <functional>
 #include <map>
 #include <optional>
@@ -17,13 +16,140 @@
 namespace touchline {
 namespace {
 
+struct SettingFault {
+    std::size_t line = 0;  // in the text, from 1; 0: the text as a whole
+    std::string words;     // one line
+};
+
+struct SettingsTree {
+    toml::table table;                 // from the sound lines
+    std::vector<SettingFault> faults;  // in the other lines
+};
+
+constexpr std::string_view again = " again ";  // in no name of a table
+
+std::vector<std::string> lines_of(std::string_view text) {
+    std::vector<std::string> lines;
+    while (true) {
+        const std::size_t end = text.find('\n');
+        lines.emplace_back(text.substr(0, end));
+        if (end == std::string_view::npos) return lines;
+        text.remove_prefix(end + 1);
+    }
+}
+
+std::string joined(const std::vector<std::string>& lines) {
+    std::string text;
+    for (const std::string& line : lines) {
+        if (&line != &lines.front()) text += '\n';
+        text += line;
+    }
+    return text;
+}
+
+std::string_view trimmed(std::string_view line) {
+    const std::size_t first = line.find_first_not_of(" \t\r");
+    if (first == std::string_view::npos) return {};
+    return line.substr(first, line.find_last_not_of(" \t\r") - first + 1);
+}
+
+bool is_header(std::string_view line) {
+    return trimmed(line).starts_with('[');
+}
+
+/// Returns what is wrong with a line by itself; nothing if it is sound.
+std::optional<std::string> fault_alone(const std::string& line) {
+    try {
+        (void)toml::parse(line);
+        return std::nullopt;
+    } catch (const toml::parse_error& error) {
+        return std::string(error.description());
+    }
+}
+
+/// Returns whether a text of several lines begins or ends here.
+bool has_long_quote(std::string_view line) {
+    const auto count = [line](std::string_view quote) {
+        int found = 0;
+        for (std::size_t at = line.find(quote); at != std::string_view::npos;
+             at = line.find(quote, at + quote.size()))
+            ++found;
+        return found;
+    };
+    return count("\"\"\"") % 2 == 1 || count("'''") % 2 == 1;
+}
+
+/// Returns the line that must change, from 0: the one where the parser stopped, unless that line is
+/// sound by itself and a line above it is not, such as a text or a list that never ends.
+std::size_t culprit_of(const std::vector<std::string>& lines, const toml::parse_error& error) {
+    const std::size_t told = std::max<std::size_t>(error.source().begin.line, 1) - 1;
+    std::size_t at = std::min(told, lines.size() - 1);
+    while (at > 0 && trimmed(lines[at]).empty()) --at;
+    const bool is_double = error.description().find("redefine") != std::string_view::npos;
+    if (is_double || fault_alone(lines[at])) {
+        if (is_double || !has_long_quote(lines[at])) return at;
+    }
+    for (std::size_t above = 0; above <= at; ++above)
+        if (has_long_quote(lines[above])) return above;
+    for (std::size_t above = at + 1; above-- > 0;)
+        if (!trimmed(lines[above]).empty() && fault_alone(lines[above])) return above;
+    return at;
+}
+
+/// Keys below a header belong to the table that it means, whatever is wrong with it.
+std::string repaired(std::string_view line, std::size_t number) {
+    if (!is_header(line)) return {};
+    std::string_view name = trimmed(line);
+    name.remove_prefix(std::min(name.find_first_not_of("[ \t\"'"), name.size()));
+    constexpr std::string_view letters =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
+    name = name.substr(0, name.find_first_not_of(letters));
+    return "[\"" + std::string(name) + std::string(again) + std::to_string(number) + "\"]";
+}
+
+bool is_utf16(std::string_view text) {
+    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) return true;
+    return text.size() > 1 && (text[0] == '\0') != (text[1] == '\0');
+}
+
+/// Finds at most `most_faults` (>= 1) faults, and reads nothing after the last one. A table that is
+/// begun twice is in the tree under two names; table_name() returns the one that was meant. O(text)
+/// a fault.
+SettingsTree settings_tree(std::string_view text, std::size_t most_faults) {
+    SettingsTree tree;
+    if (is_utf16(text)) {
+        tree.faults.push_back({1, "this is UTF-16, or no text at all; save it as UTF-8"});
+        return tree;
+    }
+    std::string sound(text);
+    std::vector<std::string> lines;
+    while (true) {
+        try {
+            tree.table = toml::parse(sound);
+            return tree;
+        } catch (const toml::parse_error& error) {
+            if (lines.empty()) lines = lines_of(text);
+            const std::size_t at = culprit_of(lines, error);
+            const auto told = fault_alone(lines[at]);
+            tree.faults.push_back({at + 1, told.value_or(std::string(error.description()))});
+            const std::string better = repaired(lines[at], at);
+            const bool is_stuck = better == lines[at] || trimmed(lines[at]).empty();
+            if (is_stuck || tree.faults.size() >= most_faults) return tree;
+            lines[at] = better;
+            sound = joined(lines);
+        }
+    }
+}
+
+/// Returns the name of a table of the tree as it is in the text.
+std::string_view table_name(std::string_view key) {
+    return key.substr(0, key.find(again));
+}
+
 constexpr std::size_t most_faults_told = 100;
 
 std::string line_of(std::string_view name, const SettingFault& fault) {
-    std::string words = fault.words;
-    std::replace(words.begin(), words.end(), '\n', ' ');
-    const std::string place = fault.line == 0 ? "" : ':' + std::to_string(fault.line);
-    return std::string(name) + place + ": " + words;
+    return line_in_file(name, fault.line, fault.words);
 }
 
 std::optional<SettingValue> value_in(const toml::node& node) {
@@ -171,6 +297,24 @@ std::string written(const Settings& settings, const Settings* base) {
 }
 
 }  // namespace
+
+std::string line_in_file(std::string_view name, std::size_t line, std::string words) {
+    std::replace(words.begin(), words.end(), '\n', ' ');
+    const std::string place = line == 0 ? "" : ':' + std::to_string(line);
+    return std::string(name) + place + ": " + words;
+}
+
+Result<std::string> read_settings_file(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    if (!in) return failure("cannot read " + file.string());
+    std::string text(largest_settings_bytes + 1, '\0');
+    in.read(text.data(), static_cast<std::streamsize>(text.size()));
+    if (in.bad()) return failure("cannot read " + file.string());
+    text.resize(static_cast<std::size_t>(in.gcount()));
+    if (text.size() > largest_settings_bytes)
+        return failure(file.string() + " is larger than 1 MB");
+    return text;
+}
 
 Result<Settings> apply_settings(const Settings& base, std::string_view text, std::string_view name,
                                 SettingLayer layer) {

@@ -1,15 +1,28 @@
-// Reads and writes settings as TOML. Threads: pure functions.
+// Reads and writes settings as TOML. Threads: pure functions, except for reading a file.
 #pragma once
 
 #include "config/settings/setting_rows.h"
 #include "config/types/result.h"
 
+#include <cstddef>
+#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace touchline {
+
+/// Returns "NAME:LINE: WORDS", as every fault of a settings file is told: one line, whatever the
+/// words hold. Lines count from 1; 0 is the file as a whole.
+[[nodiscard]] std::string line_in_file(std::string_view name, std::size_t line, std::string words);
+
+/// The largest size of a settings file: 1 MB.
+inline constexpr std::size_t largest_settings_bytes = std::size_t{1} << 20U;
+
+/// Reads the whole file. A file that cannot be read, or is larger than that, gives a one-line
+/// error. Reads no more.
+[[nodiscard]] Result<std::string> read_settings_file(const std::filesystem::path& file);
 
 /// Returns `base` changed by the text of a file; `name` is the file's, for the error. Malformed
 /// text, an unknown table or key, a value that is not allowed, or one that this layer may not set

@@ -1,6 +1,6 @@
 #include "config/settings/sound.h"
 
-#include "config/settings/text_file.h"
+#include "config/settings/settings_text.h"
 
 #include <algorithm>
 #include <array>
@@ -64,7 +64,7 @@ class SoundReader {
 
     void blame(const toml::node& node, const std::string& why) {
         if (!wrong.empty()) return;
-        wrong = file_ + ":" + std::to_string(node.source().begin.line) + ": " + why;
+        wrong = line_in_file(file_, node.source().begin.line, why);
     }
 
     void read_assumed(const toml::node& node, OutputKind& assumed) {
@@ -178,10 +178,8 @@ Result<SoundSettings> parse_sound(std::string_view text, std::string_view name) 
         if (!reader.wrong.empty()) return failure(reader.wrong);
         return sound;
     } catch (const toml::parse_error& error) {
-        std::string why(error.description());
-        std::replace(why.begin(), why.end(), '\n', ' ');
-        return failure(std::string(name) + ":" + std::to_string(error.source().begin.line) + ": " +
-                       why);
+        return failure(
+            line_in_file(name, error.source().begin.line, std::string(error.description())));
     }
 }
 

@@ -1,4 +1,4 @@
-#include "app/screen/arrangement.h"
+#include "app/screen/layout.h"
 
 #include <algorithm>
 

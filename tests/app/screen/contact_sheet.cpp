@@ -1,7 +1,7 @@
 #include "tests/app/screen/contact_sheet.h"
 
 #include "app/screen/paint.h"
-#include "app/screen/text_lines.h"
+#include "app/screen/text.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // Which pixels strokes cover, as the shader fills them.
 #pragma once
 
-#include "app/screen/strokes.h"
+#include "app/screen/marks.h"
 
 #include <algorithm>
 #include <cmath>

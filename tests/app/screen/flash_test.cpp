@@ -1,6 +1,6 @@
 // Tests VI-4 on ten seconds of frames of a visit that changes as fast as it can: no area changes
 // more than twice a second, except the handle's marker, which is no layer.
-#include "app/screen/change_pace.h"
+#include "app/screen/pace.h"
 #include "app/screen/screen_layers.h"
 #include "tests/app/screen/contact_sheet.h"
 #include "tests/app/screen/probes.h"

@@ -1,5 +1,4 @@
-#include "app/screen/frame_limiter.h"
-
+#include "app/screen/pace.h"
 #include "tests/app/screen/probes.h"
 
 #include <vector>

@@ -1,4 +1,4 @@
-#include "app/screen/knob.h"
+#include "app/screen/window.h"
 
 #include <limits>
 #include <numbers>

@@ -25,14 +25,14 @@ TEST(Strokes, WhatIsNotFiniteDrawsNothing) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     Strokes strokes;
     strokes.add_line({nan, 0.0}, {1.0, 1.0}, 2.0, {white_on_black.outline});
-    strokes.add_arrow({0.0, 0.0}, {nan, 1.0}, 2.0, {white_on_black.outline});
-    strokes.add_dot({0.0, nan}, 2.0, {white_on_black.outline});
+    strokes.add(arrow({0.0, 0.0}, {nan, 1.0}, 2.0), 2.0, {white_on_black.outline});
+    strokes.add_line({0.0, nan}, {0.0, nan}, 4.0, {white_on_black.outline});
     EXPECT_EQ(stroke_count(strokes), 0);
 }
 
 TEST(Strokes, AShortArrowIsNone) {
     Strokes strokes;
-    strokes.add_arrow({0.0, 0.0}, {0.5, 0.0}, 2.0, {white_on_black.force});
+    strokes.add(arrow({0.0, 0.0}, {0.5, 0.0}, 2.0), 2.0, {white_on_black.force});
     EXPECT_EQ(stroke_count(strokes), 0);
 }
 

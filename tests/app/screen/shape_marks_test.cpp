@@ -1,6 +1,4 @@
 // Tests how a shape in the hand is drawn.
-#include "app/screen/shape_marks.h"
-
 #include "app/screen/marks.h"
 #include "tests/app/screen/covered.h"
 

@@ -1,5 +1,4 @@
-#include "app/screen/timing_chart.h"
-
+#include "app/screen/panel.h"
 #include "tests/app/screen/probes.h"
 #include "tests/app/screen/sample_screens.h"
 

@@ -1,6 +1,6 @@
 #include "app/sound/catalogues.h"
 
-#include "config/settings/setting_texts.h"
+#include "config/settings/setting_rows.h"
 #include "config/settings/settings.h"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
-#include "app/sound/hand_cues.h"
-
+#include "app/sound/sound_loop.h"
 #include "audio-cues/cues/cue_table.h"
 #include "tests/audio-cues/spectrum.h"
 

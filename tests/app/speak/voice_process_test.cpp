@@ -1,5 +1,4 @@
-#include "app/speak/voice_process.h"
-
+#include "app/speak/speaker.h"
 #include "audio-cues/speech/espeak_engine.h"
 #include "config/types/steady_clock.h"
 

@@ -2,7 +2,7 @@
 // loaded before its own.
 #include "app/process/child.h"
 #include "app/speak/messages.h"
-#include "app/speak/voice_process.h"
+#include "app/speak/speaker.h"
 #include "tests/app/sandbox/acts.h"
 #include "tests/app/speak/captured_voice.h"
 

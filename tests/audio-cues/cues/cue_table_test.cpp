@@ -1,6 +1,6 @@
 #include "audio-cues/cues/cue_table.h"
 
-#include "audio-cues/cues/cue_sounds.h"
+#include "audio-cues/cues/cue_step.h"
 #include "tests/audio-cues/spectrum.h"
 
 #include <fstream>

@@ -2,7 +2,7 @@
 // on a virtual clock. Threads: pure functions.
 #pragma once
 
-#include "audio-cues/cues/cue.h"
+#include "audio-cues/cues/cue_table.h"
 #include "audio-cues/synth/frames.h"
 #include "config/types/contact_event.h"
 #include "config/types/result.h"

@@ -1,4 +1,4 @@
-#include "audio-cues/output/frame_clock.h"
+#include "audio-cues/output/sound_output.h"
 
 #include <cmath>
 #include <cstdlib>

@@ -1,6 +1,4 @@
-#include "audio-cues/output/headphones.h"
-
-#include "audio-cues/output/jack_control.h"
+#include "audio-cues/output/outputs.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,5 @@
-#include "audio-cues/output/profile.h"
-
-#include "audio-cues/synth/decibel.h"
+#include "audio-cues/output/outputs.h"
+#include "audio-cues/synth/gain.h"
 #include "tests/audio-cues/spectrum.h"
 
 #include <cmath>

@@ -3,7 +3,7 @@
 // test fails on anything said otherwise and shows the new line. Listen to it before you put it in.
 #include "app/sticks/spoken_name.h"
 #include "audio-cues/speech/espeak_engine.h"
-#include "audio-cues/speech/respelling.h"
+#include "audio-cues/speech/speech_input.h"
 #include "tests/app/gallery/pictures.h"
 #include "tests/audio-cues/words/po_file.h"
 

@@ -1,6 +1,5 @@
 #include "audio-cues/speech/recorded_prompts.h"
 
-#include "audio-cues/speech/wav.h"
 #include "tests/audio-cues/wav_bytes.h"
 
 #include <cstdlib>

@@ -1,4 +1,4 @@
-#include "audio-cues/speech/respelling.h"
+#include "audio-cues/speech/speech_input.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,6 +1,4 @@
-#include "audio-cues/speech/speech_text.h"
-
-#include "audio-cues/speech/speech_rate.h"
+#include "audio-cues/speech/speech_input.h"
 
 #include <cmath>
 

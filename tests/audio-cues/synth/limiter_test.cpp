@@ -1,6 +1,6 @@
 #include "audio-cues/synth/limiter.h"
 
-#include "audio-cues/synth/decibel.h"
+#include "audio-cues/synth/gain.h"
 #include "tests/audio-cues/spectrum.h"
 
 #include <cmath>

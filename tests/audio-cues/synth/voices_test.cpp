@@ -1,5 +1,5 @@
-#include "audio-cues/synth/continuous_voice.h"
-#include "audio-cues/synth/earcon.h"
+#include "audio-cues/synth/voices.h"
+
 #include "tests/audio-cues/spectrum.h"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "audio-cues/words/language.h"
 
-#include "audio-cues/words/guidance_words.h"
+#include "audio-cues/words/words_of.h"
 
 #include <algorithm>
 #include <array>

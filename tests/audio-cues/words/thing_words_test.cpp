@@ -1,5 +1,4 @@
-#include "audio-cues/words/thing_words.h"
-
+#include "audio-cues/words/words_of.h"
 #include "config/types/face_part.h"
 #include "tests/audio-cues/words/po_file.h"
 

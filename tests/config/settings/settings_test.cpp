@@ -1,5 +1,5 @@
 // Tests the table of settings, and settings as text: every row, every wrong value, any bytes.
-#include "config/settings/setting_texts.h"
+#include "config/settings/setting_rows.h"
 #include "config/settings/settings_text.h"
 
 #include <cmath>
