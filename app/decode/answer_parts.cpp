@@ -65,12 +65,10 @@ std::optional<AnswerHeader> header_in(ByteReader& bytes) {
     if (bytes.number<std::uint32_t>() != answer_magic || bytes.number<std::uint8_t>() != layout)
         return std::nullopt;
     AnswerHeader header;
-    fields(bytes, header);
-    FieldCheck check;
-    fields(check, header);
     const bool is_sound =
-        bytes.is_good() && check.is_sound() && header.number <= header.count &&
-        std::has_single_bit(header.reduction) && has_what_its_kind_has(header) &&
+        read_checked(bytes, header, [](auto& f, auto& head) { fields(f, head); }) &&
+        header.number <= header.count && std::has_single_bit(header.reduction) &&
+        has_what_its_kind_has(header) &&
         pixel_bytes(header) + sizeof(WordBox) * all_boxes(header) + header.map_bytes ==
             bytes.left();
     return is_sound ? std::optional(header) : std::nullopt;

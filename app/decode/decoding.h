@@ -3,8 +3,8 @@
 // Threads: any; no state is kept.
 #pragma once
 
+#include "app/decode/file_format.h"
 #include "app/decode/page.h"
-#include "app/decode/page_order.h"
 
 #include <cstddef>
 #include <span>

@@ -1,6 +1,6 @@
 // touchline-decode-document: decodes drawn files, with the libraries that they need.
-#include "app/decode/decode_program.h"
 #include "app/decode/decoding.h"
+#include "app/decode/worker_program.h"
 
 int main(int argc, char** argv) {
     using namespace touchline;

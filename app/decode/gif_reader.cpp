@@ -176,15 +176,11 @@ std::vector<int> row_order(int height, bool is_interlaced) {
 
     constexpr std::array<RowPass, 4> interlaced_rows{{{0, 8}, {4, 8}, {2, 4}, {1, 2}}};
     constexpr std::array<RowPass, 1> plain_rows{{{0, 1}}};
+    const std::span<const RowPass> passes =
+        is_interlaced ? std::span<const RowPass>(interlaced_rows) : plain_rows;
     std::vector<int> rows;
-    const auto add = [&](const RowPass& pass) {
+    for (const RowPass& pass : passes)
         for (int y = pass.first; y < height; y += pass.step) rows.push_back(y);
-    };
-    if (is_interlaced) {
-        for (const RowPass& pass : interlaced_rows) add(pass);
-    } else {
-        for (const RowPass& pass : plain_rows) add(pass);
-    }
     return rows;
 }
 
@@ -271,9 +267,7 @@ Result<Stored> read_gif(Bytes bytes) {
     if (!first) return tl::unexpected(first.error());
     const auto plan = plan_of(**first);
     if (!plan) return tl::unexpected(plan.error());
-    if (auto fits = check_file_size("GIF", static_cast<std::uint64_t>(plan->width),
-                                    static_cast<std::uint64_t>(plan->height));
-        !fits)
+    if (auto fits = check_file_size("GIF", plan->width, plan->height); !fits)
         return tl::unexpected(fits.error());
     GifSource source{bytes};
     const auto file = open(source);
@@ -281,7 +275,7 @@ Result<Stored> read_gif(Bytes bytes) {
     Frames frames(**file);
     Canvas canvas(*plan);
     for (int i = 0; i < plan->frames; ++i) {
-        if (!frames.next()) return damaged("GIF", "the file ends before the picture");
+        if (!frames.next()) return cut_short("GIF");
         const bool is_last = i + 1 == plan->frames;
         const auto drawn = draw_frame(**file, frames.control(), is_last, canvas);
         if (!drawn) return tl::unexpected(drawn.error());

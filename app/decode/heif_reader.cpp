@@ -2,7 +2,6 @@
 // whole picture at once, so a large one is made smaller afterwards.
 #include "app/decode/decoding.h"
 #include "app/decode/formats.h"
-#include "app/decode/pixel_page.h"
 #include "app/decode/shrinking.h"
 
 #include <algorithm>
@@ -43,12 +42,6 @@ tl::unexpected<Error> broken(const heif_error& error, std::string_view name) {
     return damaged(name, error.message != nullptr ? error.message : "");
 }
 
-Result<void> check_sides(int width, int height, std::string_view name) {
-    if (width < 1 || height < 1) return damaged(name, "it has no pixels");
-    return check_file_size(name, static_cast<std::uint64_t>(width),
-                           static_cast<std::uint64_t>(height));
-}
-
 /// A row of one channel in libheif's memory, and the distance to the next row.
 struct Plane {
     const std::uint8_t* row = nullptr;
@@ -75,7 +68,8 @@ std::array<Plane, 4> planes_of(const heif_image* image) {
 Result<Picture> picture_of(const heif_image* image, std::string_view name) {
     const int width = heif_image_get_width(image, heif_channel_B);
     const int height = heif_image_get_height(image, heif_channel_B);
-    if (auto fits = check_sides(width, height, name); !fits) return tl::unexpected(fits.error());
+    if (auto fits = check_file_size(name, width, height); !fits)
+        return tl::unexpected(fits.error());
     std::array<Plane, 4> planes = planes_of(image);
     for (std::size_t i = 0; i < 3; ++i)
         if (planes[i].row == nullptr) return damaged(name, "it has no colours");
@@ -126,8 +120,8 @@ Result<Stored> read_heif(Bytes bytes) {
     if (context == nullptr) throw std::bad_alloc();
     const auto handle = primary_image(context.get(), bytes);
     if (!handle) return tl::unexpected(handle.error());
-    if (auto fits = check_sides(heif_image_handle_get_width(handle->get()),
-                                heif_image_handle_get_height(handle->get()), name);
+    if (auto fits = check_file_size(name, heif_image_handle_get_width(handle->get()),
+                                    heif_image_handle_get_height(handle->get()));
         !fits)
         return tl::unexpected(fits.error());
     const Owned<heif_decoding_options> options(heif_decoding_options_alloc());
@@ -144,10 +138,6 @@ Result<Stored> read_heif(Bytes bytes) {
     return Stored{std::move(*picture), resolution_of(image.get(), handle->get()), is_upright};
 }
 
-Result<Page> heif_page(Bytes bytes, const PageOrder& order) {
-    return page_by(read_heif, bytes, order);
-}
-
 }  // namespace
 }  // namespace touchline::decode
 
@@ -158,7 +148,11 @@ void prepare_heif() {
 }
 
 Result<Page> decode_heif(std::span<const std::byte> bytes, const PageOrder& order) {
-    return decode::without_exceptions(decode::heif_page, bytes, order);
+    return decode::without_exceptions(
+        [](decode::Bytes all, const PageOrder& wanted) {
+            return decode::page_by(decode::read_heif, all, wanted);
+        },
+        bytes, order);
 }
 
 }  // namespace touchline

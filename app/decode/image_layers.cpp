@@ -2,8 +2,7 @@
 
 #include "app/decode/map_svg.h"
 #include "app/decode/svg_nodes.h"
-#include "app/decode/svg_scanner.h"
-#include "app/decode/svg_words.h"
+#include "app/decode/svg_numbers.h"
 
 #include <algorithm>
 #include <array>
@@ -20,32 +19,6 @@ namespace decode {
 namespace {
 
 constexpr const char* layer_mark = "data-image-layer";
-
-/// Visits elements and their depth in the order of the document, without recursion.
-template <class Visit>
-class Walker : public pugi::xml_tree_walker {
-  public:
-    explicit Walker(Visit visit) : visit_(std::move(visit)) {}
-
-    bool for_each(pugi::xml_node& node) override {
-        if (node.type() == pugi::node_element) visit_(node);
-        return true;
-    }
-
-  private:
-    Visit visit_;
-};
-
-template <class Visit>
-void for_each_element(pugi::xml_node root, Visit visit) {
-    Walker<Visit> walker(std::move(visit));
-    root.traverse(walker);
-}
-
-pugi::xml_node loaded(std::string_view text, pugi::xml_document& document) {
-    if (!document.load_buffer(text.data(), text.size())) return {};
-    return child_named(document, "svg");
-}
 
 std::string saved(const pugi::xml_document& document) {
     std::ostringstream made;
@@ -159,13 +132,6 @@ std::optional<Box> box_of(const pugi::xml_node& root) {
     return has_size ? std::optional(box) : std::nullopt;
 }
 
-bool is_in_millimetres(const pugi::xml_node& root, const Box& box, const Area& area) {
-    const std::string_view width = root.attribute("width").value();
-    return width.ends_with("mm") &&
-           parse_svg_length(width.substr(0, width.size() - 2)) == box.width &&
-           box.width <= 1000.0 * area.width_m + 1e-9 && box.height <= 1000.0 * area.height_m + 1e-9;
-}
-
 void set(pugi::xml_node element, const char* name, const std::string& value) {
     pugi::xml_attribute attribute = element.attribute(name);
     if (!attribute) attribute = element.append_attribute(name);
@@ -231,7 +197,7 @@ void group_by_detail(pugi::xml_node parent, std::map<int, int>& uses) {
 
 bool has_image_layers(std::string_view text) {
     pugi::xml_document document;
-    const pugi::xml_node root = decode::loaded(text, document);
+    const pugi::xml_node root = decode::svg_root_in(text, document);
     bool found = false;
     decode::for_each_element(root, [&found](const pugi::xml_node& element) {
         const bool is_named =
@@ -245,7 +211,7 @@ bool has_image_layers(std::string_view text) {
 
 Result<std::string> map_svg_of_image_layers(std::string_view text, const Area& area) {
     pugi::xml_document document;
-    const pugi::xml_node root = decode::loaded(text, document);
+    const pugi::xml_node root = decode::svg_root_in(text, document);
     if (!root) return failure("the picture is no SVG; save it again as SVG");
     const auto box = decode::box_of(root);
     if (!box)
@@ -253,13 +219,14 @@ Result<std::string> map_svg_of_image_layers(std::string_view text, const Area& a
     const decode::Texts texts = decode::texts_by_id(root);
     decode::name_shapes(root, texts);
     decode::describe_by_layers(root, texts);
-    if (!decode::is_in_millimetres(root, *box, area)) decode::fit(root, *box, area);
+    if (!decode::is_in_millimetres(root, box->width, box->height, area))
+        decode::fit(root, *box, area);
     return decode::saved(document);
 }
 
 Result<std::string> image_layers_of_map_svg(std::string_view text, const LanguageTag& language) {
     pugi::xml_document document;
-    const pugi::xml_node root = decode::loaded(text, document);
+    const pugi::xml_node root = decode::svg_root_in(text, document);
     if (!root) return failure("the picture is no SVG; save it again as SVG");
     std::vector<pugi::xml_node> shapes;
     std::vector<pugi::xml_node> groups;

@@ -1,6 +1,6 @@
 #include "app/decode/machine_words.h"
 
-#include "app/decode/ascii.h"
+#include "app/decode/one_line.h"
 
 #include <algorithm>
 #include <array>
@@ -51,13 +51,7 @@ constexpr auto means = std::to_array<std::string_view>(
 /// Programs' placeholders for a missing name, in the languages of the kiosk.
 constexpr auto placeholders = std::to_array<std::string_view>({"untitled",
                                                                "unbenannt",
-                                                               "ohne titel",
-                                                               "sans titre",
-                                                               "sin título",
-                                                               "sin titulo",
-                                                               "senza titolo",
                                                                "unnamed",
-                                                               "no title",
                                                                "title",
                                                                "titel",
                                                                "titre",
@@ -108,44 +102,42 @@ constexpr auto placeholders = std::to_array<std::string_view>({"untitled",
                                                                "dscf",
                                                                "pxl",
                                                                "scan",
-                                                               "scanned document",
-                                                               "scanned image",
                                                                "escaneo",
                                                                "scansione",
                                                                "numérisation",
                                                                "svg",
                                                                "pdf",
-                                                               "new document",
-                                                               "neues dokument",
-                                                               "nouveau document",
-                                                               "nuevo documento",
-                                                               "nuovo documento",
-                                                               "new doc",
-                                                               "untitled document",
-                                                               "untitled drawing",
-                                                               "untitled design",
-                                                               "unbenanntes dokument",
-                                                               "document sans titre",
-                                                               "documento sin título",
-                                                               "documento senza titolo",
                                                                "book",
                                                                "mappe",
                                                                "classeur",
                                                                "libro",
                                                                "layout",
                                                                "screenshot",
-                                                               "screen shot",
-                                                               "screenshot from",
                                                                "bildschirmfoto",
-                                                               "capture d’écran",
-                                                               "capture d'écran",
-                                                               "captura de pantalla",
                                                                "schermata",
                                                                "camscanner",
-                                                               "whatsapp image",
-                                                               "adobe scan",
                                                                "default",
-                                                               "clipboard"});
+                                                               "clipboard",
+                                                               "ohne titel",
+                                                               "sans titre",
+                                                               "sin título",
+                                                               "sin titulo",
+                                                               "senza titolo",
+                                                               "no title",
+                                                               "scanned image",
+                                                               "new document",
+                                                               "neues dokument",
+                                                               "new doc",
+                                                               "screen shot",
+                                                               "whatsapp image",
+                                                               "adobe scan"});
+
+/// Likewise, the longer ones.
+constexpr auto long_placeholders = std::to_array<std::string_view>(
+    {"scanned document", "nouveau document", "nuevo documento", "nuovo documento",
+     "untitled document", "untitled drawing", "untitled design", "unbenanntes dokument",
+     "document sans titre", "documento sin título", "documento senza titolo", "screenshot from",
+     "capture d’écran", "capture d'écran", "captura de pantalla"});
 
 /// Placeholders only if a number follows; alone they may be what the picture shows.
 constexpr auto numbered = std::to_array<std::string_view>(
@@ -275,7 +267,8 @@ bool is_a_placeholder(std::string_view text) {
             goes_on = true;
         }
     }
-    return has(placeholders, text) || (has_number && has(numbered, text));
+    return has(placeholders, text) || has(long_placeholders, text) ||
+           (has_number && has(numbered, text));
 }
 
 /// "Created with Sketch.", "Generated by Foo 3.2 (http://...)"; not "Made with love".
@@ -336,8 +329,8 @@ bool is_a_token(std::string_view text) {
 }  // namespace
 
 bool is_of_a_machine(std::string_view text) {
-    const std::string small = lower(without(text, " \t\r\n"));
-    const bool is_in_small_letters = lower(text) == text;
+    const std::string small = in_small_letters(without(text, " \t\r\n"));
+    const bool is_in_small_letters = in_small_letters(text) == text;
     const bool is_in_capitals =
         std::ranges::none_of(text, [](char c) { return c >= 'a' && c <= 'z'; });
     return has(whole_texts, without(small, ".")) || is_of_a_camera(small, is_in_capitals) ||

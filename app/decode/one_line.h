@@ -1,8 +1,9 @@
-// Text from outside (paths, ids, messages of libraries) made fit for an Error's single line.
-// Threads: pure functions. O(n).
+// Text from outside (paths, ids, messages of libraries): made fit for an Error's single line, and
+// compared. Threads: pure functions. O(n).
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -16,5 +17,18 @@ namespace touchline {
 /// writing become blanks, and runs of blanks become one. Cuts as one_line() does, after
 /// `most_bytes`.
 [[nodiscard]] std::string one_spaced(std::string_view text, std::size_t most_bytes);
+
+/// Capitals of ASCII become small; other bytes stay as they are, whatever the locale.
+[[nodiscard]] inline std::string in_small_letters(std::string_view text) {
+    std::string made(text);
+    for (char& c : made)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return made;
+}
+
+/// The same bytes as characters; a view. O(1).
+[[nodiscard]] inline std::string_view as_text(std::span<const std::byte> bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
 
 }  // namespace touchline

@@ -66,8 +66,7 @@ Result<Page> page_of(std::span<const std::byte> answer) {
     Page page;
     page.picture.width = static_cast<int>(header.width);
     page.picture.height = static_cast<int>(header.height);
-    const auto* const first_pixel = reinterpret_cast<const std::uint8_t*>(parts->pixels.data());
-    page.picture.bgr.assign(first_pixel, first_pixel + parts->pixels.size());
+    page.picture.bgr = samples_of(parts->pixels);
     page.picture.scale = 1.0 / header.reduction;
     page.told = std::move(parts->map);
     take_figures(parts->boxes, header.figures, page);

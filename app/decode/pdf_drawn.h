@@ -4,7 +4,6 @@
 #pragma once
 
 #include "app/decode/formats.h"
-#include "app/decode/text_line.h"
 
 #include <cstdint>
 #include <memory>

@@ -1,5 +1,5 @@
 #include "app/decode/decoding.h"
-#include "app/decode/pixel_page.h"
+#include "app/decode/formats.h"
 
 namespace touchline {
 namespace decode {

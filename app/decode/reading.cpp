@@ -10,31 +10,30 @@
 #include <fmt/format.h>
 
 namespace touchline::decode {
-
 namespace {
 
-tl::unexpected<Error> too_large(std::string_view format, std::uint64_t width, std::uint64_t height,
-                                std::uint64_t most_megapixels, std::uint64_t most_side_px) {
+/// `most` and `most_side_px`: pixels in all and on a side; the sentence tells the megapixels.
+Result<void> check(std::string_view format, std::int64_t width, std::int64_t height,
+                   std::uint64_t most, std::uint64_t most_side_px, std::uint64_t megapixel) {
+    if (width < 1 || height < 1) return damaged(format, "it has no pixels");
+    const auto across = static_cast<std::uint64_t>(width);
+    const auto down = static_cast<std::uint64_t>(height);
+    if (across <= most_side_px && down <= most_side_px && across * down <= most) return {};
     return failure(
         fmt::format("the {} picture has {} x {} pixels, more than {} megapixels or {} on a side; "
                     "save it smaller",
-                    format, width, height, most_megapixels, most_side_px));
+                    format, width, height, most / megapixel, most_side_px));
 }
 
 }  // namespace
 
-Result<void> check_size(std::string_view format, std::uint64_t width, std::uint64_t height) {
-    if (width == 0 || height == 0) return damaged(format, "it has no pixels");
-    if (fits_a_picture(width, height)) return {};
-    return too_large(format, width, height, max_picture_pixels >> 20U, max_picture_side_px);
+Result<void> check_size(std::string_view format, std::int64_t width, std::int64_t height) {
+    return check(format, width, height, max_picture_pixels, max_picture_side_px, 1U << 20U);
 }
 
-Result<void> check_file_size(std::string_view format, std::uint64_t width, std::uint64_t height,
+Result<void> check_file_size(std::string_view format, std::int64_t width, std::int64_t height,
                              std::uint64_t most_pixels) {
-    if (width == 0 || height == 0) return damaged(format, "it has no pixels");
-    if (width <= max_file_side_px && height <= max_file_side_px && width * height <= most_pixels)
-        return {};
-    return too_large(format, width, height, most_pixels / 1'000'000, max_file_side_px);
+    return check(format, width, height, most_pixels, max_file_side_px, 1'000'000);
 }
 
 tl::unexpected<Error> damaged(std::string_view format, std::string_view detail) {

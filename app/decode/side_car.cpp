@@ -94,7 +94,7 @@ std::string text_in(std::string_view bytes) {
 
 }  // namespace
 
-std::string side_car_of(const std::string& path) {
+std::string side_car_of(std::string_view path) {
     return std::filesystem::path(path).replace_extension(".txt").string();
 }
 

@@ -1,8 +1,9 @@
 #include "app/decode/svg_shapes.h"
 
-#include "app/decode/svg_scanner.h"
+#include "app/decode/svg_numbers.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -105,6 +106,123 @@ Result<void> draw_ellipse(const pugi::xml_node& element, const char* name_rx, co
     return length.result();
 }
 
+constexpr std::string_view commands = "MLHVCSQTAZ";
+constexpr std::array<std::size_t, 10> argument_counts{2, 2, 1, 1, 6, 4, 4, 2, 7, 0};
+
+char upper(char c) {
+    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+}
+
+/// Reads one d attribute, command by command.
+class PathReader {
+  public:
+    PathReader(std::string_view d, SvgTracer& tracer) : scanner_(d), tracer_(tracer) {}
+
+    Result<void> read() {
+        scanner_.skip_space();
+        while (!scanner_.is_at_end()) {
+            if (auto taken = take_command(); !taken) return taken;
+            if (auto taken = take_arguments(); !taken) return taken;
+            draw();
+            previous_ = upper(command_);
+        }
+        return {};
+    }
+
+  private:
+    Result<void> wrong(std::string_view what) const {
+        return failure(fmt::format("at character {} of d: {}", scanner_.position() + 1, what));
+    }
+
+    /// Takes a letter, or repeats the last one; a move is followed by lines.
+    Result<void> take_command() {
+        const char next = scanner_.peek();
+        if (commands.find(upper(next)) != std::string_view::npos) {
+            command_ = scanner_.take();
+            scanner_.skip_space();
+        } else if (previous_ == '\0' || previous_ == 'Z') {
+            return wrong("a command is missing");
+        } else if (command_ == 'M' || command_ == 'm') {
+            command_ = command_ == 'M' ? 'L' : 'l';
+        }
+        if (previous_ == '\0' && upper(command_) != 'M') return wrong("a path begins with M");
+        return {};
+    }
+
+    Result<void> take_arguments() {
+        const bool is_arc = upper(command_) == 'A';
+        const std::size_t count = argument_counts[commands.find(upper(command_))];
+        for (std::size_t i = 0; i < count; ++i) {
+            const bool is_flag = is_arc && (i == 3 || i == 4);
+            const auto number = is_flag ? scanner_.take_flag() : scanner_.take_number();
+            if (!number) {
+                return wrong(fmt::format("{} needs {} finite numbers at a time", command_, count));
+            }
+            arguments_[i] = *number;
+        }
+        return {};
+    }
+
+    /// The point of the arguments i and i + 1.
+    [[nodiscard]] UserPoint point(std::size_t i) const {
+        return origin() + UserPoint{arguments_[i], arguments_[i + 1]};
+    }
+
+    /// The origin of the numbers: the pen for a small letter.
+    [[nodiscard]] UserPoint origin() const {
+        return command_ == upper(command_) ? UserPoint{} : tracer_.pen();
+    }
+
+    /// The last control point, mirrored at the pen, if the last command was such a curve.
+    [[nodiscard]] UserPoint mirrored_control(std::string_view after) const {
+        const bool continues = after.find(previous_) != std::string_view::npos;
+        return continues ? 2.0 * tracer_.pen() - control_ : tracer_.pen();
+    }
+
+    void draw_quadratic(UserPoint control, UserPoint to) {
+        control_ = control;
+        tracer_.quadratic_to(control, to);
+    }
+
+    void draw_cubic(UserPoint control_1, UserPoint control_2, UserPoint to) {
+        control_ = control_2;
+        tracer_.cubic_to(control_1, control_2, to);
+    }
+
+    void draw() {
+        const auto& v = arguments_;
+        switch (upper(command_)) {
+            case 'M':
+                return tracer_.move_to(point(0));
+            case 'L':
+                return tracer_.line_to(point(0));
+            case 'H':
+                return tracer_.line_to({origin().x + v[0], tracer_.pen().y});
+            case 'V':
+                return tracer_.line_to({tracer_.pen().x, origin().y + v[0]});
+            case 'C':
+                return draw_cubic(point(0), point(2), point(4));
+            case 'S':
+                return draw_cubic(mirrored_control("CS"), point(0), point(2));
+            case 'Q':
+                return draw_quadratic(point(0), point(2));
+            case 'T':
+                return draw_quadratic(mirrored_control("QT"), point(0));
+            case 'A':
+                return tracer_.arc_to(v[0], v[1], v[2], v[3] != 0.0, v[4] != 0.0, point(5));
+            default:
+                return tracer_.close();
+        }
+    }
+
+    SvgScanner scanner_;
+    SvgTracer& tracer_;
+    char command_ = '\0';
+    char previous_ = '\0';  // in capitals; 0 before the first
+    std::array<double, 7> arguments_{};
+    UserPoint control_;
+};
+
 }  // namespace
 
 std::optional<Result<void>> draw_shape(const pugi::xml_node& element, std::string_view name,
@@ -117,6 +235,10 @@ std::optional<Result<void>> draw_shape(const pugi::xml_node& element, std::strin
     if (name == "circle") return draw_ellipse(element, "r", "r", tracer);
     if (name == "ellipse") return draw_ellipse(element, "rx", "ry", tracer);
     return std::nullopt;
+}
+
+Result<void> draw_path(std::string_view d, SvgTracer& tracer) {
+    return PathReader(d, tracer).read();
 }
 
 }  // namespace touchline::decode

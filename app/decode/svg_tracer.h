@@ -2,7 +2,7 @@
 // viewBox. Threads: one tracer, one thread.
 #pragma once
 
-#include "app/decode/svg_transform.h"
+#include "app/decode/svg_numbers.h"
 
 #include <cstddef>
 #include <vector>

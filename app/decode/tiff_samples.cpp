@@ -1,4 +1,4 @@
-#include "app/decode/tiff_samples.h"
+#include "app/decode/tiff.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,7 +1,6 @@
 #include "app/decode/word_gate.h"
 
 #include "app/decode/formats.h"
-#include "app/decode/text_line.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,6 +1,5 @@
 #include "app/decode/worker_program.h"
 
-#include "app/decode/page.h"
 #include "app/process/descriptor.h"
 #include "app/process/memory.h"
 #include "app/sandbox/sandbox.h"
@@ -65,6 +64,15 @@ void run_worker_program(const WorkerProgram& program) {
 void refuse_to_run(const char* program) {
     std::fprintf(stderr, "%s: the kiosk starts it by itself; use 'touchline'\n", program);
     _exit(2);
+}
+
+void run_decode_program(const Decoder& decoder, int argc, char** argv) {
+    const std::vector<std::string> arguments(argv + 1, argv + argc);
+    const auto work = work_in(arguments);
+    if (!work) refuse_to_run(argv[0]);
+    run_worker_program({work->kind, decoder.prepare, [&](std::span<const std::byte> bytes) {
+                            return answer_of(decoder.decode(bytes, work->order));
+                        }});
 }
 
 }  // namespace touchline

@@ -2,6 +2,8 @@
 // sandbox, and only then reads the first byte.
 #pragma once
 
+#include "app/decode/file_format.h"
+#include "app/decode/page.h"
 #include "app/sandbox/limits.h"
 #include "config/types/result.h"
 
@@ -26,5 +28,13 @@ struct WorkerProgram {
 
 /// Ends a program that the kiosk did not start.
 [[noreturn]] void refuse_to_run(const char* program);
+
+struct Decoder {
+    void (*prepare)() = nullptr;  // runs before the sandbox closes, reads only the system's files
+    Result<Page> (*decode)(std::span<const std::byte> bytes, const PageOrder& order) = nullptr;
+};
+
+/// The main() of a decoder. Does not return.
+[[noreturn]] void run_decode_program(const Decoder& decoder, int argc, char** argv);
 
 }  // namespace touchline

@@ -1,6 +1,5 @@
 #include "app/packs/pack_check.h"
 
-#include "app/packs/pack_toml.h"
 #include "app/packs/plain_names.h"
 #include "app/packs/unpacking.h"
 

@@ -1,7 +1,5 @@
-#include "app/packs/pack_toml.h"
-
 #include "app/decode/one_line.h"
-#include "app/packs/pack_limits.h"
+#include "app/packs/pack.h"
 #include "app/packs/plain_names.h"
 #include "config/types/utf8.h"
 
@@ -126,7 +124,7 @@ PackResult<std::vector<std::string>> languages_in_table(const toml::table& table
     for (const toml::node& tag : *tags) {
         const auto* text = tag.as_string();
         if (text == nullptr || !is_language_tag(text->get()) ||
-            !seen.insert(folded(text->get())).second)
+            !seen.insert(in_small_letters(text->get())).second)
             return wrong(FindingKind::toml_value, tag, "languages");
         languages.push_back(text->get());
     }
@@ -343,7 +341,7 @@ std::string text_of(const PackVersion& version) {
 const std::string& title_in(const PackInfo& info, const std::string& language) {
     const auto of = [&](const std::string& wanted) {
         return std::find_if(info.title.begin(), info.title.end(), [&](const LanguageText& title) {
-            return folded(title.language) == folded(wanted);
+            return in_small_letters(title.language) == in_small_letters(wanted);
         });
     };
     if (const auto found = of(language); found != info.title.end()) return found->text;

@@ -1,7 +1,6 @@
 #include "app/packs/unpack_answer.h"
 
 #include "app/decode/one_line.h"
-#include "app/packs/pack_limits.h"
 #include "app/packs/plain_names.h"
 #include "config/types/fields.h"
 #include "config/types/utf8.h"
@@ -45,11 +44,9 @@ bool is_fit(const std::string& text) {
 
 std::optional<PackFinding> take_finding(ByteReader& bytes) {
     PackFinding finding;
-    fields(bytes, finding);
-    FieldCheck check;
-    fields(check, finding);
     const bool is_sound =
-        bytes.is_good() && check.is_sound() && is_fit(finding.file) && is_fit(finding.what);
+        read_checked(bytes, finding, [](auto& f, auto& found) { fields(f, found); }) &&
+        is_fit(finding.file) && is_fit(finding.what);
     return is_sound ? std::optional(std::move(finding)) : std::nullopt;
 }
 
@@ -106,7 +103,7 @@ Result<UnpackAnswer> unpack_answer_of(std::span<const std::byte> all) {
     std::set<std::string> names;
     for (int i = 0; i < entries; ++i) {
         auto entry = take_entry(bytes);
-        if (!entry || !names.insert(folded(entry->name)).second) return wrong;
+        if (!entry || !names.insert(in_small_letters(entry->name)).second) return wrong;
         answer.entries.push_back(std::move(*entry));
     }
     if (!bytes.is_at_end()) return wrong;

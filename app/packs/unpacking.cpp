@@ -1,9 +1,7 @@
 #include "app/packs/unpacking.h"
 
-#include "app/packs/pack_limits.h"
-#include "app/packs/pack_toml.h"
-#include "app/packs/picture_check.h"
 #include "app/packs/plain_names.h"
+#include "app/packs/unpack_answer.h"
 #include "app/process/memory.h"
 #include "app/process/places.h"
 #include "app/sandbox/worker.h"
@@ -57,15 +55,23 @@ PackResult<T> of_file(PackFinding finding, const PackFile& file) {
 }  // namespace
 
 PackResult<std::vector<PackFile>> unpack_zip(std::span<const std::byte> zip) {
-    constexpr double megabyte = 1 << 20U;
-    if (zip.size() > pack_limits.zip_bytes)
-        return refusal({FindingKind::zip_too_large, "", 0, "",
-                        static_cast<double>(pack_limits.zip_bytes) / megabyte});
+    if (zip.size() > pack_limits.zip_bytes) return refused(FindingKind::zip_too_large);
     auto answer = worked({"zip"}, zip);
     if (!answer) return refusal(answer.error());
     std::sort(answer->entries.begin(), answer->entries.end(),
               [](const PackFile& a, const PackFile& b) { return a.name < b.name; });
     return std::move(answer->entries);
+}
+
+PackResult<std::vector<std::byte>> zip_of(const Pack& pack) {
+    const std::vector<std::byte> files = bytes_of(UnpackAnswer{0, {}, pack.files});
+    if (files.size() > pack_limits.zip_bytes) return refused(FindingKind::zip_too_large);
+    auto answer = worked({"files"}, files);
+    if (!answer) return refusal(answer.error());
+    const PackFile* const zip = only_entry(*answer, zip_entry);
+    if (zip == nullptr) return refusal({FindingKind::harmful});
+    if (zip->bytes.size() > pack_limits.zip_bytes) return refused(FindingKind::zip_too_large);
+    return zip->bytes;
 }
 
 PackResult<PackSoundLook> open_sound(const PackFile& file) {

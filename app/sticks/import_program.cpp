@@ -2,8 +2,6 @@
 
 #include "app/sandbox/sandbox.h"
 #include "app/sticks/beneath.h"
-#include "app/sticks/copy.h"
-#include "app/sticks/listing.h"
 #include "app/sticks/scan.h"
 #include "config/types/steady_clock.h"
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/process/descriptor.h"
-#include "app/sticks/refusal.h"
+#include "app/sticks/listing.h"
 #include "config/types/result.h"
 
 #include <cstddef>

@@ -5,8 +5,7 @@
 
 #include "app/process/descriptor.h"
 #include "app/sticks/listing.h"
-#include "app/sticks/natural_order.h"
-#include "app/sticks/refusal.h"
+#include "app/sticks/names.h"
 
 #include <cstddef>
 #include <cstdint>

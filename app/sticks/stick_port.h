@@ -1,14 +1,25 @@
-// Reports sticks as they come and go, however they are detected.
-// Threads: one.
+// Reports sticks as they come and go, however they are detected, and says how their file systems
+// are mounted: strictly read-only.
+// Threads: a port by one; mount_options() is a pure function.
 #pragma once
 
-#include "app/sticks/mount_options.h"
-
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace touchline {
+
+/// usual: FAT and exFAT. more: also ext4 and NTFS, which only the operator allows, because their
+/// parsers are large and rarely tried with hostile sticks.
+enum class FileSystems : std::uint8_t { usual, more };
+
+/// The options for udisks2 and mount(8), by a file system's kernel name; nothing if it is not
+/// mounted.
+[[nodiscard]] std::optional<std::string> mount_options(std::string_view file_system,
+                                                       FileSystems allowed);
 
 /// ready: files can be read below `root`. gone: they cannot be read any more, not even a file being
 /// read. refused: a stick cannot be read; `sentence` says why and what to do.
@@ -45,5 +56,8 @@ class StickPort {
     /// False while sticks could come unnoticed; the operator must be told.
     [[nodiscard]] virtual bool is_watching() const = 0;
 };
+
+/// The watched folder if the settings name one, else udisks2.
+[[nodiscard]] std::unique_ptr<StickPort> open_stick_port(const std::string& watched_folder);
 
 }  // namespace touchline

@@ -3,7 +3,6 @@
 // Threads: a value.
 #pragma once
 
-#include "app/sticks/mount_options.h"
 #include "app/sticks/stick_port.h"
 
 #include <cstdint>

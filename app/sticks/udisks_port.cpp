@@ -1,14 +1,10 @@
 #include "app/sticks/udisks_port.h"
 
 #include "app/sticks/bus_generations.h"
-#include "app/sticks/stick_rules.h"
 
-#include <cstdint>
 #include <map>
-#include <memory>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include <sdbus-c++/Types.h>
 

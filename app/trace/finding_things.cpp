@@ -4,7 +4,7 @@
 #include "app/process/places.h"
 #include "app/sandbox/worker.h"
 #include "app/trace/page_views.h"
-#include "app/trace/sealed_page.h"
+#include "app/trace/tracing.h"
 
 #include <algorithm>
 #include <cmath>

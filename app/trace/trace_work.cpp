@@ -1,8 +1,11 @@
 #include "app/trace/trace_work.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <system_error>
+
+#include <fmt/format.h>
 
 namespace touchline {
 namespace {
@@ -22,12 +25,50 @@ bool read_number(const std::string& text, double& number) {
     return error == std::errc() && end == text.data() + text.size();
 }
 
+std::optional<double> share_of(const std::string& word) {
+    double share = 0.0;
+    const bool is_share = read_number(word, share) && share >= 0.0 && share <= 1.0;
+    return is_share ? std::optional(share) : std::nullopt;
+}
+
 /// True for a whole number from `least` to `most`; NaN is none.
 bool is_choice(double number, int least, int most) {
     return number >= least && number <= most && number == static_cast<int>(number);
 }
 
 }  // namespace
+
+std::vector<std::string> words_of(const PlaceInPicture& place) {
+    return {fmt::format("{:.6f}", place.x), fmt::format("{:.6f}", place.y)};
+}
+
+std::optional<PlaceInPicture> place_of(const std::vector<std::string>& words) {
+    if (words.size() != 2) return std::nullopt;
+    const auto x = share_of(words[0]);
+    const auto y = share_of(words[1]);
+    return x && y ? std::optional(PlaceInPicture{*x, *y}) : std::nullopt;
+}
+
+cv::Mat cut_off(const cv::Mat& picture, const PhotoCut& cut) {
+    const auto share = [](double percent) {
+        return percent >= 0.0 && percent <= 40.0 ? 0.01 * percent : 0.0;
+    };
+    const int left = cvRound(share(cut.left) * picture.cols);
+    const int right = cvRound(share(cut.right) * picture.cols);
+    const int top = cvRound(share(cut.top) * picture.rows);
+    const int bottom = cvRound(share(cut.bottom) * picture.rows);
+    return picture(cv::Rect(left, top, std::max(1, picture.cols - left - right),
+                            std::max(1, picture.rows - top - bottom)));
+}
+
+Picture picture_of(const cv::Mat& bgr) {
+    Picture picture;
+    picture.width = bgr.cols;
+    picture.height = bgr.rows;
+    const cv::Mat whole = bgr.isContinuous() ? bgr : bgr.clone();
+    picture.bgr.assign(whole.data, whole.data + whole.total() * whole.elemSize());
+    return picture;
+}
 
 std::vector<std::string> arguments_of(const TraceWork& work) {
     const TraceOptions& options = work.options;

@@ -3,12 +3,10 @@
 #include "app/decode/opening.h"
 #include "app/process/memory.h"
 #include "app/process/places.h"
+#include "app/sandbox/limits.h"
 #include "app/sandbox/worker.h"
-#include "app/trace/frame_bytes.h"
-#include "app/trace/grey_bytes.h"
 #include "app/trace/page_views.h"
-#include "app/trace/sealed_page.h"
-#include "app/trace/trace_work.h"
+#include "app/trace/worker_values.h"
 
 #include <algorithm>
 #include <string>
@@ -72,6 +70,11 @@ Result<Answer> traced_by(const TraceWork& work, const Descriptor& input, const P
     return Answer{{*answer, mapped->bytes().size()}, std::move(*traced)};
 }
 
+Result<Sealed> shared(Result<Descriptor> memory) {
+    if (!memory) return tl::unexpected(memory.error());
+    return std::make_shared<const Descriptor>(std::move(*memory));
+}
+
 }  // namespace
 
 Result<FirstTrace> find_page_lines(const Page& page, const TraceRequest& request) {
@@ -114,6 +117,21 @@ Result<Page> page_of_photo(const CameraFrame& frame, const PhotoCut& cut) {
     const auto answer = worked(work, *input);
     if (!answer) return tl::unexpected(answer.error());
     return page_in(*answer);
+}
+
+Result<Sealed> sealed(const Page& page) {
+    if (page.answer) return page.answer;
+    return shared(answer_of(page).and_then(
+        [](const std::vector<std::byte>& bytes) { return sealed_copy(bytes); }));
+}
+
+Result<Sealed> sealed_behind(ThingsInBytes things, const Page& page) {
+    const auto answer = sealed(page);
+    if (!answer) return answer;
+    const auto bytes = map_sealed(**answer, limits_of(WorkerKind::trace).input_bytes);
+    if (!bytes) return tl::unexpected(bytes.error());
+    things.push_back(bytes->bytes());
+    return shared(sealed_copy(joined(things)));
 }
 
 }  // namespace touchline

@@ -1,5 +1,3 @@
-#include "app/sticks/copy.h"
-
 #include "app/process/memory.h"
 #include "app/sticks/beneath.h"
 #include "tests/app/sticks/stick_folder.h"
