@@ -1,7 +1,7 @@
 #include "app/decode/decoding.h"
 #include "app/decode/file_format.h"
 #include "app/decode/formats.h"
-#include "app/decode/pdf_drawn.h"
+#include "app/decode/pdf_words.h"
 
 #include <string_view>
 

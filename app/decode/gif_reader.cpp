@@ -16,15 +16,11 @@
 namespace touchline::decode {
 namespace {
 
-struct GifSource {
-    Bytes left;
-};
-
 int read_some(GifFileType* file, GifByteType* to, int wanted) {
-    auto& source = *static_cast<GifSource*>(file->UserData);
-    const std::size_t count = std::min(static_cast<std::size_t>(wanted), source.left.size());
-    if (count > 0) std::memcpy(to, source.left.data(), count);
-    source.left = source.left.subspan(count);
+    auto& left = *static_cast<Bytes*>(file->UserData);
+    const std::size_t count = std::min(static_cast<std::size_t>(wanted), left.size());
+    if (count > 0) std::memcpy(to, left.data(), count);
+    left = left.subspan(count);
     return static_cast<int>(count);
 }
 
@@ -246,9 +242,10 @@ Result<void> draw_frame(GifFileType& file, const Control& control, bool is_last,
     return {};
 }
 
-Result<File> open(GifSource& source) {
+/// Moves the beginning of `left` on while the file is read.
+Result<File> open(Bytes& left) {
     int error = 0;
-    File file(DGifOpen(&source, read_some, &error));
+    File file(DGifOpen(&left, read_some, &error));
     if (file == nullptr) return broken(error);
     return file;
 }
@@ -262,15 +259,15 @@ Resolution resolution_of(const GifFileType& file) {
 }  // namespace
 
 Result<Stored> read_gif(Bytes bytes) {
-    GifSource looked_at{bytes};
+    Bytes looked_at = bytes;
     const auto first = open(looked_at);
     if (!first) return tl::unexpected(first.error());
     const auto plan = plan_of(**first);
     if (!plan) return tl::unexpected(plan.error());
     if (auto fits = check_file_size("GIF", plan->width, plan->height); !fits)
         return tl::unexpected(fits.error());
-    GifSource source{bytes};
-    const auto file = open(source);
+    Bytes left = bytes;
+    const auto file = open(left);
     if (!file) return tl::unexpected(file.error());
     Frames frames(**file);
     Canvas canvas(*plan);

@@ -3,10 +3,10 @@
 #include "app/decode/decoding.h"
 #include "app/decode/formats.h"
 #include "app/decode/shrinking.h"
+#include "app/process/owned.h"
 
 #include <algorithm>
 #include <array>
-#include <memory>
 #include <new>
 #include <utility>
 
@@ -15,18 +15,7 @@
 namespace touchline::decode {
 namespace {
 
-struct Release {
-    void operator()(heif_context* context) const { heif_context_free(context); }
-
-    void operator()(heif_image_handle* handle) const { heif_image_handle_release(handle); }
-
-    void operator()(heif_image* image) const { heif_image_release(image); }
-
-    void operator()(heif_decoding_options* options) const { heif_decoding_options_free(options); }
-};
-
-template <class T>
-using Owned = std::unique_ptr<T, Release>;
+using HeifHandle = Owned<heif_image_handle, heif_image_handle_release>;
 
 /// The first box names it.
 std::string_view name_of(Bytes bytes) {
@@ -102,7 +91,7 @@ Resolution resolution_of(const heif_image* image, const heif_image_handle* handl
     return {static_cast<double>(down), static_cast<double>(across)};
 }
 
-Result<Owned<heif_image_handle>> primary_image(heif_context* context, Bytes bytes) {
+Result<HeifHandle> primary_image(heif_context* context, Bytes bytes) {
     heif_context_set_max_decoding_threads(context, 0);
     heif_context_set_maximum_image_size_limit(context, static_cast<int>(max_file_side_px));
     heif_error error =
@@ -111,12 +100,12 @@ Result<Owned<heif_image_handle>> primary_image(heif_context* context, Bytes byte
     heif_image_handle* handle = nullptr;
     error = heif_context_get_primary_image_handle(context, &handle);
     if (error.code != heif_error_Ok) return broken(error, name_of(bytes));
-    return Owned<heif_image_handle>(handle);
+    return HeifHandle(handle);
 }
 
 Result<Stored> read_heif(Bytes bytes) {
     const std::string_view name = name_of(bytes);
-    const Owned<heif_context> context(heif_context_alloc());
+    const Owned<heif_context, heif_context_free> context(heif_context_alloc());
     if (context == nullptr) throw std::bad_alloc();
     const auto handle = primary_image(context.get(), bytes);
     if (!handle) return tl::unexpected(handle.error());
@@ -124,14 +113,15 @@ Result<Stored> read_heif(Bytes bytes) {
                                     heif_image_handle_get_height(handle->get()));
         !fits)
         return tl::unexpected(fits.error());
-    const Owned<heif_decoding_options> options(heif_decoding_options_alloc());
+    const Owned<heif_decoding_options, heif_decoding_options_free> options(
+        heif_decoding_options_alloc());
     options->convert_hdr_to_8bit = 1;
     heif_image* decoded = nullptr;
     // Decodes into planes: libheif holds them anyway, and this saves a copy.
     const heif_error error = heif_decode_image(handle->get(), &decoded, heif_colorspace_RGB,
                                                heif_chroma_444, options.get());
     if (error.code != heif_error_Ok) return broken(error, name);
-    const Owned<heif_image> image(decoded);
+    const Owned<heif_image, heif_image_release> image(decoded);
     auto picture = picture_of(image.get(), name);
     if (!picture) return tl::unexpected(picture.error());
     constexpr int is_upright = 1;

@@ -196,77 +196,76 @@ void group_by_detail(pugi::xml_node parent, std::map<int, int>& uses) {
 }  // namespace decode
 
 bool has_image_layers(std::string_view text) {
+    using namespace decode;
     pugi::xml_document document;
-    const pugi::xml_node root = decode::svg_root_in(text, document);
+    const pugi::xml_node root = svg_root_in(text, document);
     bool found = false;
-    decode::for_each_element(root, [&found](const pugi::xml_node& element) {
+    for_each_element(root, [&found](const pugi::xml_node& element) {
         const bool is_named =
             element.attribute("aria-label") || element.attribute("aria-labelledby");
-        found = found || element.attribute(decode::layer_mark) ||
-                (is_named && decode::is_shape(decode::local_name(element)) &&
-                 decode::words_of_shape(element, {}).empty());
+        found = found || element.attribute(layer_mark) ||
+                (is_named && is_shape(local_name(element)) && words_of_shape(element, {}).empty());
     });
     return found;
 }
 
 Result<std::string> map_svg_of_image_layers(std::string_view text, const Area& area) {
+    using namespace decode;
     pugi::xml_document document;
-    const pugi::xml_node root = decode::svg_root_in(text, document);
+    const pugi::xml_node root = svg_root_in(text, document);
     if (!root) return failure("the picture is no SVG; save it again as SVG");
-    const auto box = decode::box_of(root);
+    const auto box = box_of(root);
     if (!box)
         return failure("the picture has no size; write viewBox=\"0 0 WIDTH HEIGHT\" in <svg>");
-    const decode::Texts texts = decode::texts_by_id(root);
-    decode::name_shapes(root, texts);
-    decode::describe_by_layers(root, texts);
-    if (!decode::is_in_millimetres(root, box->width, box->height, area))
-        decode::fit(root, *box, area);
-    return decode::saved(document);
+    const Texts texts = texts_by_id(root);
+    name_shapes(root, texts);
+    describe_by_layers(root, texts);
+    if (!is_in_millimetres(root, box->width, box->height, area)) fit(root, *box, area);
+    return saved(document);
 }
 
 Result<std::string> image_layers_of_map_svg(std::string_view text, const LanguageTag& language) {
+    using namespace decode;
     pugi::xml_document document;
-    const pugi::xml_node root = decode::svg_root_in(text, document);
+    const pugi::xml_node root = svg_root_in(text, document);
     if (!root) return failure("the picture is no SVG; save it again as SVG");
     std::vector<pugi::xml_node> shapes;
     std::vector<pugi::xml_node> groups;
     std::vector<pugi::xml_node> labels;
-    decode::for_each_element(root, [&](const pugi::xml_node& element) {
-        const std::string_view name = decode::local_name(element);
-        if (decode::is_shape(name)) shapes.push_back(element);
+    for_each_element(root, [&](const pugi::xml_node& element) {
+        const std::string_view name = local_name(element);
+        if (is_shape(name)) shapes.push_back(element);
         if (name == "text") labels.push_back(element);
         const bool has_shapes =
-            std::any_of(element.begin(), element.end(), [](const pugi::xml_node& child) {
-                return decode::is_shape(decode::local_name(child));
-            });
+            std::any_of(element.begin(), element.end(),
+                        [](const pugi::xml_node& child) { return is_shape(local_name(child)); });
         if ((name == "g" || name == "a" || name == "svg") && has_shapes &&
-            !element.attribute(decode::layer_mark))
+            !element.attribute(layer_mark))
             groups.push_back(element);
     });
-    const auto words = [&](const char* name) { return decode::words_in(root, name, language); };
+    const auto words = [&](const char* name) { return words_in(root, name, language); };
     const std::string title = words("title");
     const std::string description = words("desc");
-    decode::say_once(root, "desc", description);
-    decode::say_once(root, "title", title);
+    say_once(root, "desc", description);
+    say_once(root, "title", title);
     for (pugi::xml_node& label : labels) {
-        const std::string said = decode::words_of_text(label, language);
+        const std::string said = words_of_text(label, language);
         label.remove_children();
         label.text().set(said.c_str());
     }
     for (pugi::xml_node& shape : shapes) {
-        const std::string name = decode::words_of_shape(shape, language);
-        decode::say_once(shape, "title", "");
+        const std::string name = words_of_shape(shape, language);
+        say_once(shape, "title", "");
         shape.remove_attribute("data-label");
-        if (!name.empty()) decode::set(shape, "aria-label", name);
+        if (!name.empty()) set(shape, "aria-label", name);
     }
     std::map<int, int> uses;
     // The root itself is not visited above.
-    if (std::any_of(root.begin(), root.end(), [](const pugi::xml_node& child) {
-            return decode::is_shape(decode::local_name(child));
-        }))
+    if (std::any_of(root.begin(), root.end(),
+                    [](const pugi::xml_node& child) { return is_shape(local_name(child)); }))
         groups.insert(groups.begin(), root);
-    for (const pugi::xml_node& group : groups) decode::group_by_detail(group, uses);
-    return decode::saved(document);
+    for (const pugi::xml_node& group : groups) group_by_detail(group, uses);
+    return saved(document);
 }
 
 }  // namespace touchline

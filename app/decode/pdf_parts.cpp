@@ -1,6 +1,7 @@
 // An author's text for people who cannot see the figures of a tagged PDF.
 #include "app/decode/pdf_parts.h"
 
+#include "app/decode/drawing_surface.h"
 #include "app/decode/page.h"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ constexpr int deepest = 50;
 constexpr int most_elements = 20'000;  // a book of hundreds of pages
 
 std::string taken(gchar* text) {
-    const GlibOwned<gchar> owned(text);
+    const GlibText owned(text);
     return owned == nullptr ? std::string() : std::string(owned.get());
 }
 
@@ -27,22 +28,21 @@ class StructureWalk {
     StructureWalk(int page, Visit visit) : page_(page), visit_(std::move(visit)) {}
 
     void walk(PopplerDocument* document) {
-        walk(GlibOwned<PopplerStructureElementIter>(poppler_structure_element_iter_new(document)),
-             0);
+        walk(Iter(poppler_structure_element_iter_new(document)), 0);
     }
 
   private:
-    void walk(const GlibOwned<PopplerStructureElementIter>& at, int depth) {
+    using Iter = Owned<PopplerStructureElementIter, poppler_structure_element_iter_free>;
+
+    void walk(const Iter& at, int depth) {
         if (at == nullptr || depth > deepest) return;
         do {
             if (is_done_ || ++seen_ > most_elements) return;
-            const GlibOwned<PopplerStructureElement> element(
+            const GlibObject<PopplerStructureElement> element(
                 poppler_structure_element_iter_get_element(at.get()));
             if (element != nullptr && poppler_structure_element_get_page(element.get()) == page_)
                 is_done_ = !visit_(element.get());
-            walk(GlibOwned<PopplerStructureElementIter>(
-                     poppler_structure_element_iter_get_child(at.get())),
-                 depth + 1);
+            walk(Iter(poppler_structure_element_iter_get_child(at.get())), depth + 1);
         } while (poppler_structure_element_iter_next(at.get()) != FALSE);
     }
 
@@ -100,9 +100,8 @@ void absorb(PdfText& whole, const PdfText& part) {
 std::vector<PdfText> joined_once(const std::vector<PdfText>& parts) {
     std::vector<PdfText> wholes;
     for (const PdfText& part : parts) {
-        const auto whole = std::find_if(wholes.begin(), wholes.end(), [&part](const PdfText& one) {
-            return touch(one.box, part.box);
-        });
+        const auto whole = std::ranges::find_if(
+            wholes, [&part](const PdfText& one) { return touch(one.box, part.box); });
         if (whole == wholes.end()) {
             wholes.push_back(part);
         } else {
@@ -161,7 +160,7 @@ std::vector<PdfText> pictures_in(std::vector<PdfText> parts, const PageSize& pag
     std::erase_if(pictures, [&page](const PdfText& picture) {
         return decorates(picture.box) || fills(picture.box, page);
     });
-    std::sort(pictures.begin(), pictures.end(), [](const PdfText& a, const PdfText& b) {
+    std::ranges::sort(pictures, [](const PdfText& a, const PdfText& b) {
         return std::pair(a.box.y1, a.box.x1) < std::pair(b.box.y1, b.box.x1);
     });
     if (pictures.size() > max_figures) pictures.resize(max_figures);

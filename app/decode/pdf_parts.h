@@ -2,32 +2,12 @@
 // inch from the upper left corner of the page. Threads: one document, one thread.
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
 #include <poppler.h>
 
 namespace touchline::decode {
-
-struct GlibRelease {
-    void operator()(gpointer object) const { g_object_unref(object); }
-
-    void operator()(gchar* text) const { g_free(text); }
-
-    void operator()(GError* error) const { g_error_free(error); }
-
-    void operator()(GBytes* bytes) const { g_bytes_unref(bytes); }
-
-    void operator()(PopplerRectangle* rectangles) const { g_free(rectangles); }
-
-    void operator()(PopplerStructureElementIter* at) const {
-        poppler_structure_element_iter_free(at);
-    }
-};
-
-template <class T>
-using GlibOwned = std::unique_ptr<T, GlibRelease>;
 
 /// A text and its box; the box is empty if the document does not say.
 struct PdfText {

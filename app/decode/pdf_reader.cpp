@@ -37,7 +37,7 @@ Scale scale_for(const PageSize& page, double user_unit, int dpi) {
     return {px_per_unit, px_per_unit / counts_as};
 }
 
-tl::unexpected<Error> refusal(const GlibOwned<GError>& error) {
+tl::unexpected<Error> refusal(const GlibError& error) {
     if (error != nullptr && g_error_matches(error.get(), POPPLER_ERROR, POPPLER_ERROR_ENCRYPTED))
         return failure("the PDF document is locked with a password; save it without one");
     return damaged("PDF", error != nullptr ? error->message : "");
@@ -129,7 +129,7 @@ class Texts {
 std::string title_of(PopplerDocument* document, PopplerPage* page) {
     std::string title = heading_of(document, page);
     if (!title.empty()) return title;
-    const GlibOwned<gchar> own(poppler_document_get_title(document));
+    const GlibText own(poppler_document_get_title(document));
     return own == nullptr ? std::string() : of_a_person(own.get());
 }
 
@@ -176,16 +176,16 @@ Result<Page> read_page(PopplerDocument* document, PopplerPage* source, Bytes byt
 
 Result<Page> read_pdf(Bytes bytes, const PageOrder& order) {
     GError* problem = nullptr;
-    const GlibOwned<GBytes> held(g_bytes_new_static(bytes.data(), bytes.size()));
-    const GlibOwned<PopplerDocument> document(
+    const Owned<GBytes, g_bytes_unref> held(g_bytes_new_static(bytes.data(), bytes.size()));
+    const GlibObject<PopplerDocument> document(
         poppler_document_new_from_bytes(held.get(), nullptr, &problem));
-    if (document == nullptr) return refusal(GlibOwned<GError>(problem));
+    if (document == nullptr) return refusal(GlibError(problem));
     const int count = std::min(poppler_document_get_n_pages(document.get()), max_pages);
     if (count < 1) return damaged("PDF", "it has no page");
     if (order.page > count)
         return failure(fmt::format("the document has {} {}; choose one of them", count,
                                    count == 1 ? "page" : "pages"));
-    const GlibOwned<PopplerPage> page(poppler_document_get_page(document.get(), order.page - 1));
+    const GlibObject<PopplerPage> page(poppler_document_get_page(document.get(), order.page - 1));
     if (page == nullptr) return damaged("PDF", "the page is missing");
     auto read = read_page(document.get(), page.get(), bytes, order);
     if (read) read->count = count;

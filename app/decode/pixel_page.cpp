@@ -3,11 +3,11 @@
 #include "app/decode/exiv2_generations.h"
 #include "app/decode/formats.h"
 #include "app/decode/machine_words.h"
+#include "app/process/owned.h"
 
 #include <algorithm>
 #include <array>
 #include <exception>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -121,15 +121,7 @@ Metadata metadata_of(Bytes bytes) {
     return metadata;
 }
 
-struct Release {
-    void operator()(void* profile) const { cmsCloseProfile(profile); }
-};
-
-using Profile = std::unique_ptr<void, Release>;
-
-struct DeleteTransform {
-    void operator()(void* transform) const { cmsDeleteTransform(transform); }
-};
+using Profile = Owned<void, cmsCloseProfile>;
 
 /// True for nearly every picture: then there is nothing to do.
 bool is_srgb(cmsHPROFILE profile) {
@@ -148,7 +140,7 @@ void convert_to_srgb(const std::vector<std::uint8_t>& colour_profile, Picture& p
     if (from == nullptr || cmsGetColorSpace(from.get()) != cmsSigRgbData || is_srgb(from.get()))
         return;
     const Profile srgb(cmsCreate_sRGBProfile());
-    const std::unique_ptr<void, DeleteTransform> transform(
+    const Owned<void, cmsDeleteTransform> transform(
         cmsCreateTransform(from.get(), TYPE_BGR_8, srgb.get(), TYPE_BGR_8, INTENT_PERCEPTUAL, 0));
     if (transform == nullptr) return;
     cmsDoTransform(transform.get(), picture.bgr.data(), picture.bgr.data(),

@@ -29,7 +29,7 @@ std::string_view local_name(const pugi::xml_node& element) {
 bool is_shape(std::string_view name) {
     constexpr std::array<std::string_view, 7> shapes{"path", "polyline", "polygon", "line",
                                                      "rect", "circle",   "ellipse"};
-    return std::find(shapes.begin(), shapes.end(), name) != shapes.end();
+    return std::ranges::find(shapes, name) != shapes.end();
 }
 
 pugi::xml_node svg_root_in(std::string_view text, pugi::xml_document& document) {

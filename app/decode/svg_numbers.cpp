@@ -1,5 +1,6 @@
 #include "app/decode/svg_numbers.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -49,35 +50,21 @@ Affine rotation(double angle_deg, double x, double y) {
 
 std::optional<Affine> take_one(SvgScanner& scanner) {
     constexpr std::array names{"matrix", "translate", "scale", "rotate", "skewX", "skewY"};
-    std::size_t kind = 0;
-    while (kind < names.size() && !scanner.take_word(names[kind])) ++kind;
+    const auto* const found =
+        std::ranges::find_if(names, [&](const char* name) { return scanner.take_word(name); });
     const auto arguments = take_arguments(scanner);
-    if (!arguments) return std::nullopt;
+    if (found == names.end() || !arguments) return std::nullopt;
     const auto& v = arguments->value;
-    const std::size_t count = arguments->count;
-    switch (kind) {
-        case 0:
-            if (count == 6) return Affine{v[0], v[1], v[2], v[3], v[4], v[5]};
-            break;
-        case 1:
-            if (count == 1 || count == 2) return Affine{1, 0, 0, 1, v[0], v[1]};
-            break;
-        case 2:
-            if (count == 1) return Affine{v[0], 0, 0, v[0], 0, 0};
-            if (count == 2) return Affine{v[0], 0, 0, v[1], 0, 0};
-            break;
-        case 3:
-            if (count == 1 || count == 3) return rotation(v[0], v[1], v[2]);
-            break;
-        case 4:
-            if (count == 1) return Affine{1, 0, std::tan(radians(v[0])), 1, 0, 0};
-            break;
-        case 5:
-            if (count == 1) return Affine{1, std::tan(radians(v[0])), 0, 1, 0, 0};
-            break;
-        default:
-            break;
-    }
+    const auto is = [&](std::string_view name, std::size_t count) {
+        return *found == name && arguments->count == count;
+    };
+    if (is("matrix", 6)) return Affine{v[0], v[1], v[2], v[3], v[4], v[5]};
+    if (is("translate", 1) || is("translate", 2)) return Affine{1, 0, 0, 1, v[0], v[1]};
+    if (is("scale", 1)) return Affine{v[0], 0, 0, v[0], 0, 0};
+    if (is("scale", 2)) return Affine{v[0], 0, 0, v[1], 0, 0};
+    if (is("rotate", 1) || is("rotate", 3)) return rotation(v[0], v[1], v[2]);
+    if (is("skewX", 1)) return Affine{1, 0, std::tan(radians(v[0])), 1, 0, 0};
+    if (is("skewY", 1)) return Affine{1, std::tan(radians(v[0])), 0, 1, 0, 0};
     return std::nullopt;
 }
 

@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -113,25 +112,12 @@ std::optional<TextBox> box_of(RsvgHandle* handle, const SvgText& text,
     GError* problem = nullptr;
     const gboolean is_known = rsvg_handle_get_geometry_for_layer(
         handle, ("#" + text.id).c_str(), &viewport, &ink, nullptr, &problem);
-    if (problem != nullptr) g_error_free(problem);
+    const GlibError frees(problem);
     if (is_known == 0 || !(ink.width > 0.0 && ink.height > 0.0)) return std::nullopt;
     return TextBox{ink.x, ink.y, ink.x + ink.width, ink.y + ink.height};
 }
 
 constexpr std::size_t most_text_bytes = std::size_t{64} << 20U;
-
-struct Release {
-    void operator()(gchar* text) const { g_free(text); }
-
-    void operator()(z_stream* stream) const { inflateEnd(stream); }
-
-    void operator()(RsvgHandle* handle) const { g_object_unref(handle); }
-
-    void operator()(GError* error) const { g_error_free(error); }
-};
-
-template <class T>
-using Owned = std::unique_ptr<T, Release>;
 
 bool is_packed(Bytes bytes) {
     return bytes.size() > 2 && bytes[0] == std::byte{0x1f} && bytes[1] == std::byte{0x8b};
@@ -141,7 +127,7 @@ Result<std::string> unpacked(Bytes bytes) {
     constexpr int gzip = 15 + 16;  // zlib's code for its largest window and a gzip header
     z_stream stream{};
     if (inflateInit2(&stream, gzip) != Z_OK) return damaged("SVG", "it cannot be unpacked");
-    const Owned<z_stream> ends(&stream);
+    const Owned<z_stream, inflateEnd> ends(&stream);
     // zlib does not write to its input.
     stream.next_in = reinterpret_cast<Bytef*>(const_cast<std::byte*>(bytes.data()));
     stream.avail_in = static_cast<uInt>(bytes.size());
@@ -169,7 +155,7 @@ Result<std::string> narrowed(std::string_view text) {
             static_cast<gunichar2>(static_cast<unsigned char>(text[i + low]) |
                                    static_cast<unsigned char>(text[i + 1 - low]) << 8U));
     glong length = 0;
-    const Owned<gchar> utf8(
+    const GlibText utf8(
         g_utf16_to_utf8(units.data(), static_cast<glong>(units.size()), nullptr, &length, nullptr));
     if (utf8 == nullptr) return damaged("SVG", "its letters cannot be read");
     const std::string_view all(utf8.get(), static_cast<std::size_t>(length));
@@ -275,7 +261,7 @@ void add_texts(RsvgHandle* handle, const std::vector<SvgText>& texts, const Fram
     }
 }
 
-tl::unexpected<Error> told(const Owned<GError>& error) {
+tl::unexpected<Error> told(const GlibError& error) {
     return damaged("SVG", error != nullptr ? error->message : "it cannot be drawn");
 }
 
@@ -289,9 +275,9 @@ Result<Page> read_svg(Bytes bytes, const PageOrder& order) {
         return failure("the SVG picture repeats its parts too often; save it as PNG");
     const SvgWithTexts source = with_ids(*text);
     GError* problem = nullptr;
-    const Owned<RsvgHandle> handle(rsvg_handle_new_from_data(
+    const GlibObject<RsvgHandle> handle(rsvg_handle_new_from_data(
         reinterpret_cast<const guint8*>(source.svg.data()), source.svg.size(), &problem));
-    if (handle == nullptr) return told(Owned<GError>(problem));
+    if (handle == nullptr) return told(GlibError(problem));
     constexpr double kPixelsPerInch = 96.0;  // as in CSS
     rsvg_handle_set_dpi(handle.get(), kPixelsPerInch);
     const auto framing = framing_of(handle.get());
@@ -303,7 +289,7 @@ Result<Page> read_svg(Bytes bytes, const PageOrder& order) {
     cairo_translate(sheet.context(), -framing->shown.x, -framing->shown.y);
     if (rsvg_handle_render_document(handle.get(), sheet.context(), &framing->viewport, &problem) ==
         0)
-        return told(Owned<GError>(problem));
+        return told(GlibError(problem));
     return sheet.picture().map([&](Picture picture) {
         Page page;
         page.picture = std::move(picture);

@@ -1,7 +1,5 @@
 #include "app/decode/svg_shapes.h"
 
-#include "app/decode/svg_numbers.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,6 +1,5 @@
-#include "app/decode/svg_tracer.h"
-
 #include "app/decode/map_svg.h"
+#include "app/decode/svg_shapes.h"
 #include "config/types/map_frame.h"
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "app/decode/formats.h"
+#include "app/process/owned.h"
 
 #include <array>
 #include <cstdarg>
@@ -16,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include <lcms2.h>
 #include <tiffio.h>
 
 namespace touchline::decode {
@@ -62,10 +64,6 @@ class TiffFile {
         std::string error;  // the first error
     };
 
-    struct Close {
-        void operator()(TIFF* tiff) const { TIFFClose(tiff); }
-    };
-
     static tmsize_t read_some(thandle_t handle, void* to, tmsize_t wanted);
     static toff_t seek(thandle_t handle, toff_t offset, int from);
     static int keep_first_error(TIFF* tiff, void* user, const char* module, const char* format,
@@ -77,7 +75,7 @@ class TiffFile {
                                           const std::function<void(const Stretch&)>& take) const;
 
     std::unique_ptr<Source> source_;
-    std::unique_ptr<TIFF, Close> tiff_;
+    Owned<TIFF, TIFFClose> tiff_;
 };
 
 enum class NumberKind : std::uint8_t { whole, signed_whole, floating };
@@ -170,16 +168,12 @@ class TiffPixels {
     void write_inks(std::span<const Channel> channels, std::size_t count);
     void write_lab(std::span<const Channel> channels, std::size_t count);
 
-    struct DeleteTransform {
-        void operator()(void* transform) const;
-    };
-
     TiffForm form_;
     Range range_;
     std::vector<float> numbers_;
     std::vector<std::uint8_t> lab_;
     std::vector<std::uint8_t> pixels_;
-    std::unique_ptr<void, DeleteTransform> from_lab_;
+    Owned<void, cmsDeleteTransform> from_lab_;
 };
 
 }  // namespace touchline::decode

@@ -4,8 +4,6 @@
 #include <new>
 #include <utility>
 
-#include <lcms2.h>
-
 namespace touchline::decode {
 namespace {
 
@@ -133,18 +131,12 @@ Result<TiffForm> form_of(const TiffFile& file) {
     return form;
 }
 
-void TiffPixels::DeleteTransform::operator()(void* transform) const {
-    cmsDeleteTransform(transform);
-}
-
 TiffPixels::TiffPixels(const TiffForm& form, const Range& range) : form_(form), range_(range) {
     if (form.colours != TiffColours::lab) return;
-    void* const lab = cmsCreateLab2Profile(nullptr);
-    void* const srgb = cmsCreate_sRGBProfile();
-    from_lab_.reset(
-        cmsCreateTransform(lab, TYPE_Lab_8, srgb, TYPE_BGR_8, INTENT_RELATIVE_COLORIMETRIC, 0));
-    cmsCloseProfile(lab);
-    cmsCloseProfile(srgb);
+    const Owned<void, cmsCloseProfile> lab(cmsCreateLab2Profile(nullptr));
+    const Owned<void, cmsCloseProfile> srgb(cmsCreate_sRGBProfile());
+    from_lab_.reset(cmsCreateTransform(lab.get(), TYPE_Lab_8, srgb.get(), TYPE_BGR_8,
+                                       INTENT_RELATIVE_COLORIMETRIC, 0));
     if (from_lab_ == nullptr) throw std::bad_alloc();
 }
 

@@ -28,10 +28,6 @@ int drop_warning(TIFF* /*tiff*/, void* /*user*/, const char* /*module*/, const c
     return 1;
 }
 
-struct Free {
-    void operator()(TIFFOpenOptions* options) const { TIFFOpenOptionsFree(options); }
-};
-
 void choose_directory(TIFF* tiff) {
     constexpr int most_directories = 100;
     for (int i = 0; i < most_directories; ++i) {
@@ -181,7 +177,7 @@ toff_t TiffFile::seek(thandle_t handle, toff_t offset, int from) {
 Result<TiffFile> TiffFile::opened(Bytes bytes) {
     TiffFile file;
     file.source_ = std::make_unique<Source>(Source{bytes, 0, {}});
-    const std::unique_ptr<TIFFOpenOptions, Free> options(TIFFOpenOptionsAlloc());
+    const Owned<TIFFOpenOptions, TIFFOpenOptionsFree> options(TIFFOpenOptionsAlloc());
     if (options == nullptr) throw std::bad_alloc();
     TIFFOpenOptionsSetMaxSingleMemAlloc(options.get(), static_cast<tmsize_t>(max_library_bytes));
     TIFFOpenOptionsSetErrorHandlerExtR(options.get(), keep_first_error, file.source_.get());

@@ -1,6 +1,5 @@
-#include "app/decode/word_gate.h"
-
 #include "app/decode/formats.h"
+#include "app/decode/word_reader.h"
 
 #include <algorithm>
 #include <cstddef>

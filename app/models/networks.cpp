@@ -2,12 +2,12 @@
 
 #include "app/decode/files.h"
 #include "app/process/child.h"
+#include "app/process/owned.h"
 #include "app/process/places.h"
 
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <memory>
 #include <system_error>
 #include <utility>
 
@@ -83,10 +83,8 @@ constexpr std::array known{
 };
 
 std::string sha256_of(std::span<const std::byte> bytes) {
-    const std::unique_ptr<char, decltype(&g_free)> text(
-        g_compute_checksum_for_data(G_CHECKSUM_SHA256,
-                                    reinterpret_cast<const guchar*>(bytes.data()), bytes.size()),
-        g_free);
+    const Owned<char, g_free> text(g_compute_checksum_for_data(
+        G_CHECKSUM_SHA256, reinterpret_cast<const guchar*>(bytes.data()), bytes.size()));
     return text.get();
 }
 

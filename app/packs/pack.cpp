@@ -39,7 +39,7 @@ PackResult<std::vector<std::string>> names_in(const fs::path& folder) {
         if (names.size() > pack_limits.files) return refused(FindingKind::too_many_files);
     }
     if (error) return refused(FindingKind::unreadable);
-    std::sort(names.begin(), names.end());
+    std::ranges::sort(names);
     return names;
 }
 
@@ -67,7 +67,7 @@ void take_out_of_single_folder(std::vector<PackFile>& files) {
     if (files.empty()) return;
     const std::string folder = files.front().name.substr(0, files.front().name.find('/') + 1);
     const bool is_around_all =
-        !folder.empty() && std::all_of(files.begin(), files.end(), [&](const PackFile& file) {
+        !folder.empty() && std::ranges::all_of(files, [&](const PackFile& file) {
             return file.name.starts_with(folder);
         });
     if (!is_around_all) return;

@@ -18,33 +18,23 @@
 
 namespace touchline {
 
+/// Anything beyond is refused before it costs anything.
 struct PackLimits {
-    std::size_t zip_bytes = 0;   // of the zip file
-    std::size_t files = 0;       // how many
-    std::size_t file_bytes = 0;  // of one file, unpacked
-    std::size_t all_bytes = 0;   // of all files, unpacked
-    std::size_t toml_bytes = 0;  // of pack.toml
-    std::size_t name_bytes = 0;  // of a file, with its folders
-    std::size_t folders = 0;     // above a file
-    std::size_t pictures = 0;
-    std::size_t sounds = 0;
-    std::size_t languages = 0;
-    std::size_t text_bytes = 0;  // of a title or an author
-    double sound_s = 0.0;        // of one recording
+    std::size_t zip_bytes = std::size_t{64} << 20U;   // of the zip file
+    std::size_t files = 500;                          // how many
+    std::size_t file_bytes = std::size_t{16} << 20U;  // of one file, unpacked
+    std::size_t all_bytes = std::size_t{96} << 20U;   // of all files, unpacked
+    std::size_t toml_bytes = std::size_t{1} << 20U;   // of pack.toml
+    std::size_t name_bytes = 120;                     // of a file, with its folders
+    std::size_t folders = 3;                          // above a file
+    std::size_t pictures = 100;
+    std::size_t sounds = 400;
+    std::size_t languages = 12;
+    std::size_t text_bytes = 400;  // of a title or an author
+    double sound_s = 60.0;         // of one recording
 };
 
-inline constexpr PackLimits pack_limits{.zip_bytes = std::size_t{64} << 20U,
-                                        .files = 500,
-                                        .file_bytes = std::size_t{16} << 20U,
-                                        .all_bytes = std::size_t{96} << 20U,
-                                        .toml_bytes = std::size_t{1} << 20U,
-                                        .name_bytes = 120,
-                                        .folders = 3,
-                                        .pictures = 100,
-                                        .sounds = 400,
-                                        .languages = 12,
-                                        .text_bytes = 400,
-                                        .sound_s = 60.0};
+inline constexpr PackLimits pack_limits;
 
 class Language;
 
@@ -240,5 +230,16 @@ inline constexpr const char* pack_table_name = "pack.toml";
 /// (image_layers.h); everything else stays as it was.
 [[nodiscard]] PackResult<void> export_pack(const std::string& folder, const std::string& zip_file,
                                            const std::string& image_language = {});
+
+/// Tells teachers who make a pack whether it can be used, and what would make it better; waits for
+/// a worker for each picture and each sound. Refusals first, then gaps, then hints, each in the
+/// order of the files. Empty: nothing to say.
+[[nodiscard]] std::vector<PackFinding> check_pack(const Pack& pack);
+
+/// read_pack() and check_pack(). A pack that cannot be read gives one finding.
+[[nodiscard]] std::vector<PackFinding> check_pack(const std::string& path);
+
+/// True if there is no refusal among them.
+[[nodiscard]] bool can_be_used(const std::vector<PackFinding>& findings);
 
 }  // namespace touchline

@@ -1,5 +1,4 @@
-#include "app/packs/pack_check.h"
-
+#include "app/packs/pack.h"
 #include "app/packs/plain_names.h"
 #include "app/packs/unpacking.h"
 
@@ -71,10 +70,9 @@ std::vector<PackFinding> check_pack(const Pack& pack) {
     look_at_pictures(pack, parts, findings);
     look_at_sounds(pack, parts, findings);
     look_at_rest(pack, findings);
-    std::stable_sort(findings.begin(), findings.end(),
-                     [](const PackFinding& a, const PackFinding& b) {
-                         return severity_of(a.kind) < severity_of(b.kind);
-                     });
+    std::ranges::stable_sort(findings, [](const PackFinding& a, const PackFinding& b) {
+        return severity_of(a.kind) < severity_of(b.kind);
+    });
     return findings;
 }
 
@@ -84,7 +82,7 @@ std::vector<PackFinding> check_pack(const std::string& path) {
 }
 
 bool can_be_used(const std::vector<PackFinding>& findings) {
-    return std::none_of(findings.begin(), findings.end(), [](const PackFinding& finding) {
+    return std::ranges::none_of(findings, [](const PackFinding& finding) {
         return severity_of(finding.kind) == FindingSeverity::refusal;
     });
 }

@@ -2,7 +2,6 @@
 
 #include "app/decode/files.h"
 #include "app/decode/one_line.h"
-#include "app/packs/pack_check.h"
 #include "app/packs/plain_names.h"
 #include "app/packs/unpacking.h"
 #include "app/process/places.h"
@@ -90,7 +89,7 @@ std::vector<fs::path> packs_in(const fs::path& library) {
                              !it->path().filename().string().starts_with('.');
         if (is_pack) folders.push_back(it->path());
     }
-    std::sort(folders.begin(), folders.end());
+    std::ranges::sort(folders);
     return folders;
 }
 

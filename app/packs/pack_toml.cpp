@@ -41,8 +41,8 @@ bool is_id(std::string_view id) {
     const auto fits = [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
     };
-    return !id.empty() && id.size() <= 60 && std::all_of(id.begin(), id.end(), fits) &&
-           id.front() != '-' && id.back() != '-';
+    return !id.empty() && id.size() <= 60 && std::ranges::all_of(id, fits) && id.front() != '-' &&
+           id.back() != '-';
 }
 
 std::optional<int> number_in(std::string_view digits) {
@@ -72,7 +72,7 @@ std::optional<PackVersion> version_in(std::string_view text) {
 std::optional<PackFinding> unknown_key(const toml::table& table,
                                        std::initializer_list<std::string_view> known) {
     for (const auto& [key, node] : table)
-        if (std::find(known.begin(), known.end(), key.str()) == known.end())
+        if (std::ranges::find(known, key.str()) == known.end())
             return finding_at(FindingKind::toml_unknown, node, key.str());
     return std::nullopt;
 }
@@ -104,9 +104,8 @@ PackResult<std::vector<LanguageText>> titles_in(const toml::table& table) {
             titles.push_back({std::string(language.str()), text.as_string()->get()});
         }
     }
-    const bool are_good = std::all_of(titles.begin(), titles.end(), [](const LanguageText& title) {
-        return is_text(title.text);
-    });
+    const bool are_good =
+        std::ranges::all_of(titles, [](const LanguageText& title) { return is_text(title.text); });
     if (titles.empty() || titles.size() > pack_limits.languages || !are_good)
         return wrong(FindingKind::toml_value, *node, "title");
     return titles;
@@ -281,13 +280,12 @@ bool is_language_tag(std::string_view tag) {
     if (tag.size() > 35) return false;
     const auto hyphen = std::min(tag.find('-'), tag.size());
     const std::string_view first = tag.substr(0, hyphen);
-    if (first.size() < 2 || first.size() > 3 || !std::all_of(first.begin(), first.end(), is_letter))
+    if (first.size() < 2 || first.size() > 3 || !std::ranges::all_of(first, is_letter))
         return false;
     for (std::size_t at = hyphen; at < tag.size();) {
         const std::size_t end = std::min(tag.find('-', at + 1), tag.size());
         const std::string_view part = tag.substr(at + 1, end - at - 1);
-        if (part.empty() || part.size() > 8 ||
-            !std::all_of(part.begin(), part.end(), is_letter_or_digit))
+        if (part.empty() || part.size() > 8 || !std::ranges::all_of(part, is_letter_or_digit))
             return false;
         at = end;
     }
@@ -340,7 +338,7 @@ std::string text_of(const PackVersion& version) {
 
 const std::string& title_in(const PackInfo& info, const std::string& language) {
     const auto of = [&](const std::string& wanted) {
-        return std::find_if(info.title.begin(), info.title.end(), [&](const LanguageText& title) {
+        return std::ranges::find_if(info.title, [&](const LanguageText& title) {
             return in_small_letters(title.language) == in_small_letters(wanted);
         });
     };

@@ -15,8 +15,8 @@ bool is_plain(char c) {
 
 bool is_plain_part(std::string_view part) {
     const auto is_open = [](char c) { return c == '.' || c == ' '; };
-    return !part.empty() && std::all_of(part.begin(), part.end(), is_plain) &&
-           !is_open(part.front()) && !is_open(part.back());
+    return !part.empty() && std::ranges::all_of(part, is_plain) && !is_open(part.front()) &&
+           !is_open(part.back());
 }
 
 /// True for a Windows drive, too.
@@ -49,8 +49,8 @@ bool is_archive(std::span<const std::byte> bytes) {
          "\x04\x22\x4d\x18"sv, "7z\xbc\xaf"sv, "Rar!"sv, "MSCF"sv, "07070"sv, "!<arch>"sv,
          "LZIP"sv});
     return begins_with(bytes, 257, "ustar") ||
-           std::any_of(marks.begin(), marks.end(),
-                       [bytes](std::string_view mark) { return begins_with(bytes, 0, mark); });
+           std::ranges::any_of(
+               marks, [bytes](std::string_view mark) { return begins_with(bytes, 0, mark); });
 }
 
 /// In the unit of the sentence.

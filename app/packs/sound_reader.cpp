@@ -1,13 +1,13 @@
 #include "app/decode/one_line.h"
 #include "app/packs/plain_names.h"
 #include "app/packs/unpack_work.h"
+#include "app/process/owned.h"
 #include "audio-cues/speech/resampler.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <memory>
 #include <string_view>
 
 #include <sndfile.h>
@@ -55,10 +55,6 @@ sf_count_t write(const void*, sf_count_t, void*) {
 sf_count_t tell(void* user) {
     return memory_of(user).at;
 }
-
-struct CloseSound {
-    void operator()(SNDFILE* file) const { sf_close(file); }
-};
 
 /// True for these forms only: libsndfile knows thirty more, which never reach it.
 bool is_known(std::span<const std::byte> bytes) {
@@ -109,7 +105,7 @@ PackResult<ReadSound> read_sound(std::span<const std::byte> bytes) {
     Memory memory{bytes};
     SF_VIRTUAL_IO io{length, seek, read, write, tell};
     SF_INFO info{};
-    const std::unique_ptr<SNDFILE, CloseSound> file(sf_open_virtual(&io, SFM_READ, &info, &memory));
+    const Owned<SNDFILE, sf_close> file(sf_open_virtual(&io, SFM_READ, &info, &memory));
     if (!file) return refused(FindingKind::sound_broken);
     const bool is_usual = info.channels >= 1 && info.channels <= 2 &&
                           info.samplerate >= least_rate_Hz && info.samplerate <= most_rate_Hz;

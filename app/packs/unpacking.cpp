@@ -58,8 +58,8 @@ PackResult<std::vector<PackFile>> unpack_zip(std::span<const std::byte> zip) {
     if (zip.size() > pack_limits.zip_bytes) return refused(FindingKind::zip_too_large);
     auto answer = worked({"zip"}, zip);
     if (!answer) return refusal(answer.error());
-    std::sort(answer->entries.begin(), answer->entries.end(),
-              [](const PackFile& a, const PackFile& b) { return a.name < b.name; });
+    std::ranges::sort(answer->entries,
+                      [](const PackFile& a, const PackFile& b) { return a.name < b.name; });
     return std::move(answer->entries);
 }
 

@@ -3,11 +3,11 @@
 #include "app/decode/one_line.h"
 #include "app/packs/plain_names.h"
 #include "app/packs/unpack_work.h"
+#include "app/process/owned.h"
 
 #include <algorithm>
 #include <cstring>
 #include <map>
-#include <memory>
 #include <optional>
 
 #include <archive.h>
@@ -130,13 +130,7 @@ bool is_told_alike(std::span<const std::byte> zip, const RawMember& member) {
            std::memcmp(name.data(), member.name.data(), member.name.size()) == 0;
 }
 
-struct FreeArchive {
-    void operator()(archive* opened) const { archive_free(opened); }
-
-    void operator()(archive_entry* entry) const { archive_entry_free(entry); }
-};
-
-using Archive = std::unique_ptr<archive, FreeArchive>;
+using Archive = Owned<archive, archive_free>;
 
 /// Exactly the bytes that the list claims: one more is a lie, and the beginning of a zip bomb.
 PackResult<std::vector<std::byte>> contents(archive* opened, const ZipMember& member) {
@@ -184,7 +178,7 @@ la_ssize_t append(archive* /*made*/, void* to, const void* from, std::size_t cou
 }
 
 bool write_member(archive* made, const PackFile& file) {
-    const std::unique_ptr<archive_entry, FreeArchive> entry(archive_entry_new());
+    const Owned<archive_entry, archive_entry_free> entry(archive_entry_new());
     if (!entry) return false;
     archive_entry_set_pathname(entry.get(), file.name.c_str());
     archive_entry_set_filetype(entry.get(), AE_IFREG);

@@ -3,13 +3,13 @@
 // Landlock: the process can make, change, remove or run nothing, and read only what is named. Asks
 // for exactly what Debian 12's kernel (ABI 2) supports, so that tests on a newer kernel do not
 // prove more than is true there. seccomp: gives the rules of policy.h to the kernel, by libseccomp.
+#include "app/process/owned.h"
 #include "app/sandbox/policy.h"
 #include "app/sandbox/sandbox.h"
 
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
-#include <memory>
 #include <span>
 #include <string>
 
@@ -73,10 +73,6 @@ Result<void> restrict_to_reading(Folders folders) {
     return obey(*ruleset);
 }
 
-struct Release {
-    void operator()(void* filter) const { seccomp_release(filter); }
-};
-
 int add(scmp_filter_ctx filter, const CallRule& rule) {
     const std::uint32_t action =
         rule.answer == CallAnswer::allowed ? SCMP_ACT_ALLOW : SCMP_ACT_ERRNO(rule.error);
@@ -97,7 +93,7 @@ int load(scmp_filter_ctx filter, std::span<const CallRule> rules) {
 }
 
 Result<void> filter_by(std::span<const CallRule> rules) {
-    const std::unique_ptr<void, Release> filter(seccomp_init(SCMP_ACT_KILL_PROCESS));
+    const Owned<void, seccomp_release> filter(seccomp_init(SCMP_ACT_KILL_PROCESS));
     const int error = filter ? load(filter.get(), rules) : -ENOMEM;
     if (error == 0) return {};
     return failure(std::string("the sandbox cannot be entered: seccomp: ") + std::strerror(-error));

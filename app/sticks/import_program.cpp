@@ -1,8 +1,7 @@
 #include "app/sticks/import_program.h"
 
 #include "app/sandbox/sandbox.h"
-#include "app/sticks/beneath.h"
-#include "app/sticks/scan.h"
+#include "app/sticks/stick_reading.h"
 #include "config/types/steady_clock.h"
 
 #include <cerrno>

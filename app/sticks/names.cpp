@@ -62,6 +62,15 @@ std::string shown_name(std::string_view name) {
     return text;
 }
 
+std::string sort_key(const icu::Collator& collator, std::string_view text) {
+    const auto units =
+        icu::UnicodeString::fromUTF8({text.data(), static_cast<std::int32_t>(text.size())});
+    const std::int32_t bytes = collator.getSortKey(units, nullptr, 0);
+    std::string key(static_cast<std::size_t>(bytes), '\0');
+    collator.getSortKey(units, reinterpret_cast<std::uint8_t*>(key.data()), bytes);
+    return key;
+}
+
 NaturalOrder::NaturalOrder() {
     UErrorCode error = U_ZERO_ERROR;
     collator_.reset(icu::Collator::createInstance(icu::Locale::getRoot(), error));
@@ -71,13 +80,8 @@ NaturalOrder::NaturalOrder() {
 }
 
 std::string NaturalOrder::key_of(std::string_view name) const {
-    const auto text =
-        icu::UnicodeString::fromUTF8({name.data(), static_cast<std::int32_t>(name.size())});
-    const std::int32_t bytes = collator_->getSortKey(text, nullptr, 0);
-    std::string key(static_cast<std::size_t>(bytes), '\0');
-    collator_->getSortKey(text, reinterpret_cast<std::uint8_t*>(key.data()), bytes);
     // The key ends with a zero byte, so names that a reader takes for equal follow by their bytes.
-    return key.append(name);
+    return sort_key(*collator_, name).append(name);
 }
 
 }  // namespace touchline

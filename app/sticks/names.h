@@ -20,6 +20,9 @@ inline constexpr std::size_t shown_columns = 80;
 /// letter keeps at most three accents.
 [[nodiscard]] std::string shown_name(std::string_view name);
 
+/// Compared as bytes, keys order texts as the collator does; a key ends with a zero byte. O(n).
+[[nodiscard]] std::string sort_key(const icu::Collator& collator, std::string_view text);
+
 /// Construct it before the sandbox closes: its tables come with the library, but may be read late.
 class NaturalOrder {
   public:

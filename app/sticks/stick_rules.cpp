@@ -98,16 +98,14 @@ void StickRules::on_service_lost() {
 }
 
 const Volume* StickRules::find(const std::string& object) const {
-    const auto found = std::find_if(all_.begin(), all_.end(), [&object](const Volume& volume) {
-        return volume.object == object;
-    });
+    const auto found = std::ranges::find_if(
+        all_, [&object](const Volume& volume) { return volume.object == object; });
     return found == all_.end() ? nullptr : &*found;
 }
 
 bool StickRules::is_mounted(const Mount& mount) const {
     const Volume* const volume = find(mount.first);
-    return volume != nullptr &&
-           std::count(volume->roots.begin(), volume->roots.end(), mount.second) > 0;
+    return volume != nullptr && std::ranges::count(volume->roots, mount.second) > 0;
 }
 
 std::string StickRules::sentence_for(const Volume& volume) const {
@@ -119,9 +117,8 @@ std::string StickRules::sentence_for(const Volume& volume) const {
 }
 
 bool StickRules::can_be_read(const Volume& volume) const {
-    const auto tries = std::count_if(spent_.begin(), spent_.end(), [&volume](const auto& spent) {
-        return spent.second == volume.drive;
-    });
+    const auto tries = std::ranges::count_if(
+        spent_, [&volume](const auto& spent) { return spent.second == volume.drive; });
     return is_promising(volume) && volume.usage == "filesystem" &&
            options_for(volume).has_value() && !spent_.contains({volume.object, volume.drive}) &&
            static_cast<std::size_t>(tries) < most_tries;
@@ -164,8 +161,8 @@ void StickRules::forget_absent() {
     });
     std::erase_if(ours_, [this](const Mount& mount) { return !is_mounted(mount); });
     std::erase_if(told_, [this](const std::string& drive) {
-        return std::none_of(all_.begin(), all_.end(),
-                            [&drive](const Volume& volume) { return volume.drive == drive; });
+        return std::ranges::none_of(
+            all_, [&drive](const Volume& volume) { return volume.drive == drive; });
     });
 }
 
@@ -219,7 +216,7 @@ void StickRules::give(StickOrder order, StickStep& step) {
 
 /// A mount of ours that nobody needs.
 const StickRules::Mount* StickRules::superfluous(const Volume* wanted) const {
-    const auto found = std::find_if(ours_.begin(), ours_.end(), [this, wanted](const Mount& mount) {
+    const auto found = std::ranges::find_if(ours_, [this, wanted](const Mount& mount) {
         const bool is_offered = offer_ && offer_->object == mount.first;
         const bool is_wanted = !offer_ && wanted != nullptr && wanted->object == mount.first;
         return !is_offered && !is_wanted;
@@ -251,8 +248,7 @@ void StickRules::refuse_what_cannot_be_read(StickStep& step) {
     std::vector<const Volume*> left;
     for (const Volume& volume : all_)
         if (is_promising(volume)) left.push_back(&volume);
-    std::sort(left.begin(), left.end(),
-              [](const Volume* a, const Volume* b) { return is_better(*a, *b); });
+    std::ranges::sort(left, [](const Volume* a, const Volume* b) { return is_better(*a, *b); });
     for (const Volume* volume : left) tell(*volume);
 }
 

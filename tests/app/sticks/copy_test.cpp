@@ -1,5 +1,5 @@
 #include "app/process/memory.h"
-#include "app/sticks/beneath.h"
+#include "app/sticks/stick_reading.h"
 #include "tests/app/sticks/stick_folder.h"
 
 #include <cerrno>

@@ -1,5 +1,3 @@
-#include "app/sticks/folder_port.h"
-
 #include "app/sticks/stick_port.h"
 #include "tests/app/sticks/stick_folder.h"
 
