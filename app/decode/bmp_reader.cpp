@@ -225,7 +225,6 @@ Picture picture_of(const Bitmap& masks, const Bitmap* colours) {
     return std::move(shrinking).picture();
 }
 
-/// What one entry of a file holds.
 struct Entry {
     BmpHeader header;                // that of a bitmap, or of masks
     bool is_masked = false;          // an icon or a pointer

@@ -1,5 +1,4 @@
 // touchline-decode-document: decodes drawn files, with the libraries that they need.
-#include "app/decode/decoding.h"
 #include "app/decode/worker_program.h"
 
 int main(int argc, char** argv) {

@@ -20,9 +20,6 @@ class DrawingSurface {
     /// Makes an empty sheet. The size must be within the limits of picture.h.
     DrawingSurface(int width, int height);
 
-    /// Fills the sheet with white: some libraries draw as on paper.
-    void whiten();
-
     [[nodiscard]] cairo_t* context() const { return context_.get(); }
 
     /// The drawing, over the background that shows it (compose of formats.h). Fails if cairo gave

@@ -3,8 +3,6 @@
 #include "app/decode/one_line.h"
 #include "app/decode/page.h"
 
-#include <charconv>
-
 namespace touchline {
 namespace {
 
@@ -102,11 +100,9 @@ FileFormat packed_format(Bytes bytes) {
 constexpr int least_dpi = 30;
 constexpr int most_dpi = 600;
 
-/// Reads the text as a number within these bounds.
 bool read_number(const std::string& text, int least, int most, int& number) {
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    return error == std::errc() && end == text.data() + text.size() && number >= least &&
-           number <= most;
+    number = number_in<int>(text).value_or(least - 1);
+    return number >= least && number <= most;
 }
 
 }  // namespace

@@ -60,9 +60,7 @@ Result<void> write_beside_and_rename(const std::string& path, const std::string&
 Result<std::vector<std::byte>> read_file(const std::string& path) {
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
     if (!file.is_open()) return file_failure(path, "cannot be opened");
-
-    struct stat status {};
-
+    FileStatus status{};
     if (::fstat(file.number(), &status) != 0) return file_failure(path, "cannot be read");
     if (S_ISDIR(status.st_mode)) {
         return failure(one_line(path) + ": is a folder; name a file in it");
@@ -95,8 +93,7 @@ void flush_folder(const std::filesystem::path& folder) {
 }
 
 Result<void> write_whole_file(const std::string& path, std::span<const std::byte> bytes) {
-    struct stat status {};
-
+    FileStatus status{};
     const bool exists = ::stat(path.c_str(), &status) == 0;
     if (exists && S_ISDIR(status.st_mode)) {
         return failure(one_line(path) + ": is a folder; name a file in it");

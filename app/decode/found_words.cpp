@@ -31,7 +31,6 @@ bool is_within(const Position& place, const Area& area) {
     return std::abs(place.x) <= area.width_m / 2.0 && std::abs(place.y) <= area.height_m / 2.0;
 }
 
-/// True if the map holds only labels on the picture, each of at least one word.
 bool is_of_words(const TactileMap& map, std::size_t words) {
     return map.outlines.empty() && map.labels.size() <= words &&
            std::ranges::all_of(map.labels, [&map](const Label& label) {

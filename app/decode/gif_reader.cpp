@@ -35,7 +35,6 @@ tl::unexpected<Error> broken(int error) {
     return damaged("GIF", words != nullptr ? words : "");
 }
 
-/// What the file says before a frame.
 struct Control {
     std::optional<int> transparent;  // the index that is not drawn
     bool has_pause = false;          // a pause follows it
@@ -61,7 +60,6 @@ bool repeats(int code, const GifByteType* block) {
     return std::ranges::find(programs, name) != programs.end();
 }
 
-/// Goes from frame to frame.
 class Frames {
   public:
     explicit Frames(GifFileType& file) : file_(file) {}

@@ -1,5 +1,4 @@
 // touchline-decode-heif: decodes HEIC and AVIF.
-#include "app/decode/decoding.h"
 #include "app/decode/worker_program.h"
 
 int main(int argc, char** argv) {

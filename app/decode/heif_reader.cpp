@@ -1,8 +1,8 @@
 // HEIC (telephones) and AVIF, through libheif. It turns pictures upright itself, and decodes the
 // whole picture at once, so a large one is made smaller afterwards.
-#include "app/decode/decoding.h"
 #include "app/decode/formats.h"
 #include "app/decode/shrinking.h"
+#include "app/decode/worker_program.h"
 #include "app/process/owned.h"
 
 #include <algorithm>

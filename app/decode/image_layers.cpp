@@ -171,6 +171,11 @@ void say_once(pugi::xml_node element, const char* name, const std::string& text)
 constexpr std::array<const char*, 5> layer_names{"Silhouette", "Large parts", "Parts",
                                                  "Small parts", "Details"};
 
+bool has_shapes(const pugi::xml_node& element) {
+    return std::any_of(element.begin(), element.end(),
+                       [](const pugi::xml_node& child) { return is_shape(local_name(child)); });
+}
+
 int detail_of(const pugi::xml_node& shape) {
     return std::clamp(shape.attribute("data-detail").as_int(1), 1, 5);
 }
@@ -236,10 +241,7 @@ Result<std::string> image_layers_of_map_svg(std::string_view text, const Languag
         const std::string_view name = local_name(element);
         if (is_shape(name)) shapes.push_back(element);
         if (name == "text") labels.push_back(element);
-        const bool has_shapes =
-            std::any_of(element.begin(), element.end(),
-                        [](const pugi::xml_node& child) { return is_shape(local_name(child)); });
-        if ((name == "g" || name == "a" || name == "svg") && has_shapes &&
+        if ((name == "g" || name == "a" || name == "svg") && has_shapes(element) &&
             !element.attribute(layer_mark))
             groups.push_back(element);
     });
@@ -261,9 +263,7 @@ Result<std::string> image_layers_of_map_svg(std::string_view text, const Languag
     }
     std::map<int, int> uses;
     // The root itself is not visited above.
-    if (std::any_of(root.begin(), root.end(),
-                    [](const pugi::xml_node& child) { return is_shape(local_name(child)); }))
-        groups.insert(groups.begin(), root);
+    if (has_shapes(root)) groups.insert(groups.begin(), root);
     for (const pugi::xml_node& group : groups) group_by_detail(group, uses);
     return saved(document);
 }

@@ -49,95 +49,31 @@ constexpr auto means = std::to_array<std::string_view>(
     {"with", "by", "from", "using", "mit", "von", "aus", "avec", "par", "con", "por", "da"});
 
 /// Programs' placeholders for a missing name, in the languages of the kiosk.
-constexpr auto placeholders = std::to_array<std::string_view>({"untitled",
-                                                               "unbenannt",
-                                                               "unnamed",
-                                                               "title",
-                                                               "titel",
-                                                               "titre",
-                                                               "título",
-                                                               "slice",
-                                                               "slide",
-                                                               "folie",
-                                                               "diapositive",
-                                                               "diapositiva",
-                                                               "layer",
-                                                               "ebene",
-                                                               "calque",
-                                                               "capa",
-                                                               "livello",
-                                                               "artboard",
-                                                               "zeichenfläche",
-                                                               "page",
-                                                               "seite",
-                                                               "página",
-                                                               "pagina",
-                                                               "drawing",
-                                                               "zeichnung",
-                                                               "dessin",
-                                                               "dibujo",
-                                                               "disegno",
-                                                               "document",
-                                                               "dokument",
-                                                               "documento",
-                                                               "doc",
-                                                               "presentation",
-                                                               "präsentation",
-                                                               "présentation",
-                                                               "presentación",
-                                                               "presentazione",
-                                                               "image",
-                                                               "imagen",
-                                                               "immagine",
-                                                               "picture",
-                                                               "pic",
-                                                               "bild",
-                                                               "foto",
-                                                               "photo",
-                                                               "grafik",
-                                                               "graphic",
-                                                               "img",
-                                                               "dsc",
-                                                               "dscn",
-                                                               "dscf",
-                                                               "pxl",
-                                                               "scan",
-                                                               "escaneo",
-                                                               "scansione",
-                                                               "numérisation",
-                                                               "svg",
-                                                               "pdf",
-                                                               "book",
-                                                               "mappe",
-                                                               "classeur",
-                                                               "libro",
-                                                               "layout",
-                                                               "screenshot",
-                                                               "bildschirmfoto",
-                                                               "schermata",
-                                                               "camscanner",
-                                                               "default",
-                                                               "clipboard",
-                                                               "ohne titel",
-                                                               "sans titre",
-                                                               "sin título",
-                                                               "sin titulo",
-                                                               "senza titolo",
-                                                               "no title",
-                                                               "scanned image",
-                                                               "new document",
-                                                               "neues dokument",
-                                                               "new doc",
-                                                               "screen shot",
-                                                               "whatsapp image",
-                                                               "adobe scan"});
+constexpr auto placeholders = std::to_array<std::string_view>(
+    {"untitled",     "unbenannt",     "unnamed",      "title",         "titel",
+     "titre",        "título",        "slice",        "slide",         "folie",
+     "diapositive",  "diapositiva",   "layer",        "ebene",         "calque",
+     "capa",         "livello",       "artboard",     "zeichenfläche", "page",
+     "seite",        "página",        "pagina",       "drawing",       "zeichnung",
+     "dessin",       "dibujo",        "disegno",      "document",      "dokument",
+     "documento",    "doc",           "presentation", "präsentation",  "présentation",
+     "presentación", "presentazione", "image",        "imagen",        "immagine",
+     "picture",      "pic",           "bild",         "foto",          "photo",
+     "grafik",       "graphic",       "img",          "dsc",           "dscn",
+     "dscf",         "pxl",           "scan",         "escaneo",       "scansione",
+     "numérisation", "svg",           "pdf",          "book",          "mappe",
+     "classeur",     "libro",         "layout",       "screenshot",    "bildschirmfoto",
+     "schermata",    "camscanner",    "default",      "clipboard"});
 
-/// Likewise, the longer ones.
-constexpr auto long_placeholders = std::to_array<std::string_view>(
-    {"scanned document", "nouveau document", "nuevo documento", "nuovo documento",
+constexpr auto untitled = std::to_array<std::string_view>(
+    {"ohne titel", "sans titre", "sin título", "sin titulo", "senza titolo", "no title",
      "untitled document", "untitled drawing", "untitled design", "unbenanntes dokument",
-     "document sans titre", "documento sin título", "documento senza titolo", "screenshot from",
-     "capture d’écran", "capture d'écran", "captura de pantalla"});
+     "document sans titre", "documento sin título", "documento senza titolo"});
+
+constexpr auto new_files = std::to_array<std::string_view>(
+    {"scanned image", "new document", "neues dokument", "new doc", "screen shot", "whatsapp image",
+     "adobe scan", "scanned document", "nouveau document", "nuevo documento", "nuovo documento",
+     "screenshot from", "capture d’écran", "capture d'écran", "captura de pantalla"});
 
 /// Placeholders only if a number follows; alone they may be what the picture shows.
 constexpr auto numbered = std::to_array<std::string_view>(
@@ -267,7 +203,7 @@ bool is_a_placeholder(std::string_view text) {
             goes_on = true;
         }
     }
-    return has(placeholders, text) || has(long_placeholders, text) ||
+    return has(placeholders, text) || has(untitled, text) || has(new_files, text) ||
            (has_number && has(numbered, text));
 }
 

@@ -28,7 +28,6 @@ std::optional<int> grade_of(std::string_view text) {
     return text[0] - '0';
 }
 
-/// Left-to-right walk over the document, collecting outlines and labels.
 class MapReader {
   public:
     MapReader(const ViewBox& box, const LanguageTag& language) : box_(box), language_(language) {

@@ -97,15 +97,11 @@ struct DrawnText {
 /// and texts without letters and digits. Spaced letters are joined into one word.
 [[nodiscard]] std::vector<DrawnText> texts_in(std::span<const DrawnLetter> letters);
 
-/// How visible the letters of a text are in the picture.
-struct Painting {
-    double contrast = 0.0;  // levels from the background, 0 ... 255; 0: invisible
-};
-
-/// Compares the picture with the letters' own shapes: 0 if they are covered, clipped away, or in
-/// the colour of their background.
-[[nodiscard]] Painting painting_of(const DrawnText& text, const LetterInk& ink,
-                                   const Picture& picture);
+/// How visible the letters of a text are in the picture: levels from the background, 0 ... 255. 0
+/// if they are covered, clipped away, or in the colour of their background. Compares the picture
+/// with the letters' own shapes.
+[[nodiscard]] double contrast_of(const DrawnText& text, const LetterInk& ink,
+                                 const Picture& picture);
 
 /// True if the picture shows some writing where the text is said to be. The text that a reading
 /// program lays over a scan is invisible, yet its words are in the picture.

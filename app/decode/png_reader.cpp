@@ -3,7 +3,6 @@
 #include "app/decode/formats.h"
 #include "app/decode/shrinking.h"
 
-#include <algorithm>
 #include <array>
 #include <csetjmp>
 #include <cstring>

@@ -1,5 +1,4 @@
 // touchline-decode: decodes pictures of pixels.
-#include "app/decode/decoding.h"
 #include "app/decode/worker_program.h"
 
 int main(int argc, char** argv) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
 
 namespace touchline::decode {
 namespace {
@@ -17,6 +18,44 @@ std::string_view trimmed(std::string_view text) {
     if (first == std::string_view::npos) return {};
     return text.substr(first, text.find_last_not_of(space) - first + 1);
 }
+
+/// Takes texts with their tags one by one and keeps the one that serves a language best: one with
+/// the same tag, else of the same language ("de" for "de-AT" and the other way round), else without
+/// a tag, else any. Among equals the first counts. Ignores the case of tags.
+class BestWords {
+  public:
+    explicit BestWords(const LanguageTag& wanted)
+        : wanted_(wanted.text.empty() ? LanguageTag{}.text : in_small_letters(wanted.text)) {}
+
+    /// O(tag + text). Ignores an empty text.
+    void offer(std::string_view tag, std::string text) {
+        const int rank = rank_of(tag);
+        if (text.empty() || rank <= rank_) return;
+        best_ = std::move(text);
+        rank_ = rank;
+    }
+
+    /// Offers every child of this name.
+    void offer_children(const pugi::xml_node& parent, std::string_view name) {
+        for (const pugi::xml_node& child : parent.children())
+            if (child.type() == pugi::node_element && local_name(child) == name)
+                offer(tag_of(child), text_of(child));
+    }
+
+    [[nodiscard]] std::string take() { return std::move(best_); }
+
+  private:
+    [[nodiscard]] int rank_of(std::string_view tag) const {
+        if (tag.empty()) return 1;
+        const std::string has = in_small_letters(tag);
+        if (has == wanted_) return 3;
+        return language_in(has) == language_in(wanted_) ? 2 : 0;
+    }
+
+    std::string wanted_;
+    std::string best_;
+    int rank_ = -1;
+};
 
 }  // namespace
 
@@ -98,30 +137,6 @@ std::string_view property_of(const pugi::xml_node& element, const char* name) {
 
 bool is_hidden(const pugi::xml_node& element) {
     return property_of(element, "display").starts_with("none");
-}
-
-BestWords::BestWords(const LanguageTag& wanted)
-    : wanted_(wanted.text.empty() ? LanguageTag{}.text : in_small_letters(wanted.text)) {}
-
-int BestWords::rank_of(std::string_view tag) const {
-    if (tag.empty()) return 1;
-    const std::string has = in_small_letters(tag);
-    if (has == wanted_) return 3;
-    return language_in(has) == language_in(wanted_) ? 2 : 0;
-}
-
-void BestWords::offer(std::string_view tag, std::string text) {
-    const int rank = rank_of(tag);
-    if (text.empty() || rank <= rank_) return;
-    best_ = std::move(text);
-    rank_ = rank;
-}
-
-void BestWords::offer_children(const pugi::xml_node& parent, std::string_view name) {
-    for (const pugi::xml_node& child : parent.children()) {
-        if (child.type() == pugi::node_element && local_name(child) == name)
-            offer(tag_of(child), text_of(child));
-    }
 }
 
 std::string_view tag_of(const pugi::xml_node& element) {

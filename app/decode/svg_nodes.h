@@ -8,7 +8,6 @@
 
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include <pugixml.hpp>
 
@@ -63,29 +62,6 @@ void append_words(std::string& text, std::string_view more);
 
 /// True if the element itself has display: none.
 [[nodiscard]] bool is_hidden(const pugi::xml_node& element);
-
-/// Takes texts with their tags one by one and keeps the one that serves a language best: one with
-/// the same tag, else of the same language ("de" for "de-AT" and the other way round), else without
-/// a tag, else any. Among equals the first counts. Ignores the case of tags.
-class BestWords {
-  public:
-    explicit BestWords(const LanguageTag& wanted);
-
-    /// O(tag + text). Ignores an empty text.
-    void offer(std::string_view tag, std::string text);
-
-    /// Offers every child of this name.
-    void offer_children(const pugi::xml_node& parent, std::string_view name);
-
-    [[nodiscard]] std::string take() { return std::move(best_); }
-
-  private:
-    [[nodiscard]] int rank_of(std::string_view tag) const;
-
-    std::string wanted_;
-    std::string best_;
-    int rank_ = -1;
-};
 
 /// "de" of "de-AT".
 [[nodiscard]] constexpr std::string_view language_in(std::string_view tag) {

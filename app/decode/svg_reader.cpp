@@ -230,7 +230,6 @@ std::optional<Framing> framing_of(RsvgHandle* handle) {
     return framing;
 }
 
-/// What the document says about itself.
 TactileMap told_by(std::string_view text, const Picture& picture) {
     if (auto own = parse_own_map(text, Area{}); own && point_count(*own) <= MapLimits::points)
         return std::move(*own);
@@ -242,7 +241,6 @@ TactileMap told_by(std::string_view text, const Picture& picture) {
     return told;
 }
 
-/// Adds its texts: their boxes, and their labels.
 void add_texts(RsvgHandle* handle, const std::vector<SvgText>& texts, const Framing& framing,
                Page& page) {
     const Picture& picture = page.picture;

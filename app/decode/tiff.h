@@ -31,6 +31,8 @@ struct Stretch {
     std::vector<Bytes> planes;
 };
 
+using TakeStretch = std::function<void(const Stretch&)>;
+
 class TiffFile {
   public:
     /// Opens the file at its first picture that is neither a small copy of another nor a mask.
@@ -55,7 +57,7 @@ class TiffFile {
 
     /// Gives all stretches, each once. `planes` matters only if is_planar(). Call it once.
     [[nodiscard]] Result<void> read(const std::vector<std::uint16_t>& planes,
-                                    const std::function<void(const Stretch&)>& take) const;
+                                    const TakeStretch& take) const;
 
   private:
     struct Source {
@@ -70,9 +72,9 @@ class TiffFile {
                                 std::va_list arguments);
     static Result<TiffFile> opened(Bytes bytes);
     [[nodiscard]] Result<void> read_rows(const std::vector<std::uint16_t>& planes,
-                                         const std::function<void(const Stretch&)>& take) const;
+                                         const TakeStretch& take) const;
     [[nodiscard]] Result<void> read_tiles(const std::vector<std::uint16_t>& planes,
-                                          const std::function<void(const Stretch&)>& take) const;
+                                          const TakeStretch& take) const;
 
     std::unique_ptr<Source> source_;
     Owned<TIFF, TIFFClose> tiff_;

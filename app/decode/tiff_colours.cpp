@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <new>
-#include <utility>
 
 namespace touchline::decode {
 namespace {
@@ -111,7 +110,6 @@ bool read_palette(const TiffFile& file, TiffForm& form) {
     return true;
 }
 
-/// a times b over 255, rounded.
 std::uint8_t product(unsigned a, unsigned b) {
     return static_cast<std::uint8_t>((a * b + 127U) / 255U);
 }

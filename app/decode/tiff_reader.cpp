@@ -228,7 +228,7 @@ tl::unexpected<Error> TiffFile::broken() const {
 }
 
 Result<void> TiffFile::read(const std::vector<std::uint16_t>& planes,
-                            const std::function<void(const Stretch&)>& take) const {
+                            const TakeStretch& take) const {
     const std::vector<std::uint16_t> one{0};
     const auto& wanted = is_planar() ? planes : one;
     return TIFFIsTiled(get()) != 0 ? read_tiles(wanted, take) : read_rows(wanted, take);
@@ -237,7 +237,7 @@ Result<void> TiffFile::read(const std::vector<std::uint16_t>& planes,
 /// Opens a handle for each further plane: a strip is unpacked from its beginning, and one may hold
 /// the whole plane.
 Result<void> TiffFile::read_rows(const std::vector<std::uint16_t>& planes,
-                                 const std::function<void(const Stretch&)>& take) const {
+                                 const TakeStretch& take) const {
     std::vector<TiffFile> others;
     for (std::size_t i = 1; i < planes.size(); ++i) {
         auto other = again();
@@ -265,7 +265,7 @@ Result<void> TiffFile::read_rows(const std::vector<std::uint16_t>& planes,
 }
 
 Result<void> TiffFile::read_tiles(const std::vector<std::uint16_t>& planes,
-                                  const std::function<void(const Stretch&)>& take) const {
+                                  const TakeStretch& take) const {
     const std::uint32_t width = number(TIFFTAG_IMAGEWIDTH);
     const std::uint32_t height = number(TIFFTAG_IMAGELENGTH);
     const std::uint32_t tile_width = number(TIFFTAG_TILEWIDTH);

@@ -17,8 +17,7 @@ namespace {
 
 /// Maps the memory that the kiosk sealed, so that a large picture is not copied again.
 Result<Mapping> map_input(const WorkerLimits& limits) {
-    struct stat status {};
-
+    FileStatus status{};
     if (::fstat(worker_input, &status) != 0 || !S_ISREG(status.st_mode))
         return failure("the file cannot be read");
     const auto size = static_cast<std::size_t>(status.st_size);

@@ -82,6 +82,12 @@ constexpr std::array known{
     }),
 };
 
+/// What is installed with the program: the scripts in `get` that rewrite, and the networks that
+/// ship in `shipped`.
+std::filesystem::path models_of_program() {
+    return installed_place(TOUCHLINE_MODELS_BESIDE_PROGRAM, TOUCHLINE_MODELS_SOURCE);
+}
+
 std::string sha256_of(std::span<const std::byte> bytes) {
     const Owned<char, g_free> text(g_compute_checksum_for_data(
         G_CHECKSUM_SHA256, reinterpret_cast<const guchar*>(bytes.data()), bytes.size()));
@@ -139,10 +145,6 @@ std::filesystem::path models_folder() {
     const std::string chosen = environment("TOUCHLINE_MODELS");
     return chosen.empty() ? user_data_folder() / "touchline" / "models"
                           : std::filesystem::path(chosen);
-}
-
-std::filesystem::path models_of_program() {
-    return installed_place(TOUCHLINE_MODELS_BESIDE_PROGRAM, TOUCHLINE_MODELS_SOURCE);
 }
 
 std::filesystem::path installed_file(const Network& network) {

@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -45,10 +44,6 @@ struct Network {
 /// The folder of networks that somebody downloaded or brought: TOUCHLINE_MODELS, else
 /// touchline/models in the user's data folder.
 [[nodiscard]] std::filesystem::path models_folder();
-
-/// What is installed with the program: the scripts in `get` that rewrite, and the networks that
-/// ship in `shipped`.
-[[nodiscard]] std::filesystem::path models_of_program();
 
 /// The path of its file, whether it exists or not.
 [[nodiscard]] std::filesystem::path installed_file(const Network& network);

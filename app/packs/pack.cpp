@@ -95,11 +95,7 @@ PackResult<Pack> read(const std::string& path) {
     std::error_code error;
     const auto status = fs::status(path, error);
     if (!fs::exists(status)) return refused(FindingKind::no_such_pack, path);
-    if (fs::is_directory(status)) {
-        auto files = files_in(path);
-        if (!files) return refusal(files.error());
-        return pack_of(std::move(*files));
-    }
+    if (fs::is_directory(status)) return files_in(path).and_then(pack_of);
     const auto size = fs::file_size(path, error);
     if (error || !fs::is_regular_file(status)) return refused(FindingKind::unreadable, path);
     if (size > pack_limits.zip_bytes) return refused(FindingKind::zip_too_large, path);
@@ -121,9 +117,7 @@ PackResult<void> turn_into_image_layers(Pack& pack, const std::string& language)
 }  // namespace
 
 PackResult<Pack> read_pack(std::span<const std::byte> zip) {
-    auto files = unpack_zip(zip);
-    if (!files) return refusal(files.error());
-    return pack_of(std::move(*files));
+    return unpack_zip(zip).and_then(pack_of);
 }
 
 PackResult<Pack> read_pack(const std::string& path) {

@@ -16,7 +16,6 @@ void look_at_difficulty(const PackPicture& picture, const PackPictureLook& look,
         findings.push_back({FindingKind::no_difficulty, picture.file});
 }
 
-/// The ids of the outlines of each picture.
 using PartsOfPictures = std::map<std::string, std::set<std::string>>;
 
 void look_at_pictures(const Pack& pack, PartsOfPictures& parts,

@@ -104,9 +104,8 @@ std::string tag_of(const LanguageTag& language) {
 }
 
 PackResult<PackPictureLook> look_at(const fs::path& path, const LanguageTag& language) {
-    const auto file = file_at(path);
-    if (!file) return refusal(file.error());
-    return open_picture(*file, {tag_of(language)});
+    return file_at(path).and_then(
+        [&](const PackFile& file) { return open_picture(file, {tag_of(language)}); });
 }
 
 void list_pack(const fs::path& folder, const LanguageTag& language,
@@ -182,9 +181,7 @@ std::vector<LibraryPicture> list_library(const std::string& library, const Langu
 }
 
 PackResult<TactileMap> read_pack_map(const std::string& path, const LanguageTag& language) {
-    auto look = look_at(path, language);
-    if (!look) return refusal(look.error());
-    return std::move(look->map);
+    return look_at(path, language).map([](PackPictureLook look) { return std::move(look.map); });
 }
 
 std::vector<RecordedText> recorded_texts(const LibraryPicture& picture, const LanguageTag& language,

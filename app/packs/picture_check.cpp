@@ -6,7 +6,6 @@
 #include "config/types/map_bytes.h"
 #include "vision/simplify/detail_limits.h"
 
-#include <algorithm>
 #include <set>
 
 namespace touchline {

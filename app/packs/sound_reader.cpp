@@ -5,7 +5,6 @@
 #include "audio-cues/speech/resampler.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 #include <string_view>

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
-#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <string>
@@ -97,8 +96,6 @@ Result<void> limit_threads() {
     return not_entered("threads");
 }
 
-}  // namespace
-
 Result<void> limit_resources(const WorkerLimits& limits) {
     if (limits.has_threads && !is_sanitized)
         if (auto limited = limit_threads(); !limited) return limited;
@@ -109,6 +106,8 @@ Result<void> limit_resources(const WorkerLimits& limits) {
     }
     return {};
 }
+
+}  // namespace
 
 Result<void> enter_sandbox(WorkerKind kind) {
     std::set_terminate(end_at_once);

@@ -37,7 +37,6 @@ void be_killed_first();
                                                  const WorkerLimits& limits);
 
 /// The steps of both that deny, one by one, for their tests.
-[[nodiscard]] Result<void> limit_resources(const WorkerLimits& limits);
 [[nodiscard]] Result<void> deny_files(WorkerKind kind);
 [[nodiscard]] Result<void> deny_files_but_beneath(const Descriptor& folder);
 [[nodiscard]] Result<void> filter_calls(WorkerKind kind);

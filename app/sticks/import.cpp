@@ -3,11 +3,9 @@
 #include "app/decode/side_car.h"
 #include "app/process/memory.h"
 #include "app/sandbox/limits.h"
-#include "app/sticks/import_program.h"
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <utility>
 
 namespace touchline {

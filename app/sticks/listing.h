@@ -80,6 +80,9 @@ struct StickListing {
 /// not longer than a path may be. O(n).
 [[nodiscard]] bool is_folder_path(std::string_view path);
 
+/// The largest listing in bytes: its names and paths, and some bytes for each.
+inline constexpr std::size_t most_listing_bytes = std::size_t{9} << 20U;
+
 /// O(n). The listing must be one that listing_of() would accept.
 [[nodiscard]] std::vector<std::byte> bytes_of(const StickListing& listing);
 
@@ -101,6 +104,10 @@ enum class StickRefusal : std::uint8_t {
 };
 
 inline constexpr int stick_refusal_count = 9;
+
+/// touchline-import's exit status: this and the StickRefusal; 0 if everything was written, 2 for
+/// wrong words.
+inline constexpr int first_refusal_status = 80;
 
 /// One sentence: file, why, what to do. `name` comes from names.h, in the form for the listener;
 /// empty for the stick as a whole.

@@ -12,7 +12,6 @@
 namespace touchline {
 namespace {
 
-/// Collects parts, character by character.
 class Parting {
   public:
     void add(const NameCharacter& character, bool is_before_letter) {

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <cstdlib>
-#include <vector>
 
 #include <unicode/uchar.h>
 #include <unicode/unistr.h>
@@ -26,7 +25,6 @@ std::size_t columns_of(UChar32 character) {
     return width == U_EA_FULLWIDTH || width == U_EA_WIDE ? 2 : 1;
 }
 
-/// A text and its width on the screen.
 struct Glyph {
     std::string text;
     std::size_t columns = 1;

@@ -3,7 +3,6 @@
 #include "app/process/descriptor.h"
 #include "app/sticks/udisks_port.h"
 
-#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -64,9 +63,7 @@ std::vector<StickEvent> FolderPort::poll(std::int64_t now_ns) {
 std::optional<FolderPort::Look> FolderPort::look() {
     const Descriptor folder(
         ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NONBLOCK));
-
-    struct stat status {};
-
+    FileStatus status{};
     is_watching_ = folder.is_open() && ::fstat(folder.number(), &status) == 0;
     if (!is_watching_ || is_empty_folder(folder)) return std::nullopt;
     return Look{status.st_dev, status.st_ino, status.st_mtim.tv_sec, status.st_mtim.tv_nsec};

@@ -1,5 +1,7 @@
 #include "app/sticks/stick_reading.h"
 
+#include "app/sandbox/sandbox.h"
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -32,10 +34,8 @@ Refused refused_by_system() {
     return Refused(refusal_of(errno));
 }
 
-/// The size of an open file that may be read.
 Result<std::size_t, StickRefusal> size_of(const Descriptor& file, std::size_t most_bytes) {
-    struct stat status {};
-
+    FileStatus status{};
     if (::fstat(file.number(), &status) != 0) return refused_by_system();
     if (!S_ISREG(status.st_mode)) return Refused(StickRefusal::no_file);
     if (status.st_size <= 0) return Refused(StickRefusal::empty);
@@ -117,9 +117,7 @@ EntryType type_of(const Descriptor& folder, const dirent64& entry) {
     if (entry.d_type != DT_UNKNOWN) return EntryType::other;
 
     const Descriptor seen = open_beneath(folder, entry.d_name, O_PATH);
-
-    struct stat status {};
-
+    FileStatus status{};
     if (!seen.is_open() || ::fstat(seen.number(), &status) != 0) return EntryType::other;
     if (S_ISREG(status.st_mode)) return EntryType::file;
     return S_ISDIR(status.st_mode) ? EntryType::folder : EntryType::other;
@@ -235,6 +233,15 @@ class Scan {
 };
 
 }  // namespace
+
+Result<void> shut_in(const Descriptor& root, std::size_t most_bytes) {
+    constexpr std::size_t most_memory_bytes = std::size_t{256} << 20U;
+    WorkerLimits limits;
+    limits.address_space_bytes = most_memory_bytes;
+    limits.cpu_s = 10;
+    limits.file_bytes = most_bytes;
+    return enter_sandbox_beneath(root, limits);
+}
 
 StickRefusal refusal_of(int error) {
     switch (error) {

@@ -16,6 +16,11 @@
 
 namespace touchline {
 
+/// Closes the sandbox before the first name is read. After that the process can read below `root`,
+/// make its output grow to `most_bytes`, and nothing else (app/sandbox). If this fails, the process
+/// must end at once.
+[[nodiscard]] Result<void> shut_in(const Descriptor& root, std::size_t most_bytes);
+
 /// Opens `name` in the open folder for reading; -1 with the reason in errno. Never waits for a
 /// FIFO's writer. Does not change the file's access time if the file system allows that. `flags`:
 /// O_DIRECTORY, or O_PATH to examine the file only.

@@ -141,7 +141,6 @@ void StickRules::apply_answers() {
     }
 }
 
-/// Handles the first volumes since udisks2 started.
 void StickRules::begin_anew() {
     for (const Volume& volume : all_) {
         if (volume.roots.empty()) continue;
@@ -189,7 +188,6 @@ StickStep StickRules::decide() {
     return step;
 }
 
-/// Checks that the stick offered to the visitor is still there.
 void StickRules::check_offer(StickStep& step) {
     if (!offer_) return;
     const Volume* const volume = find(offer_->object);

@@ -66,7 +66,6 @@ WordBox box_of(const ThingBox& thing, const Picture& picture) {
             high(right_px + margin_px, picture.width), high(bottom_px + margin_px, picture.height)};
 }
 
-/// The part within the picture.
 ThingBox within_picture(const ThingBox& part) {
     return {std::max(part.left, 0.0), std::max(part.top, 0.0), std::min(part.right, 1.0),
             std::min(part.bottom, 1.0)};

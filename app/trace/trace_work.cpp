@@ -1,9 +1,10 @@
 #include "app/trace/trace_work.h"
 
+#include "app/decode/one_line.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <system_error>
 
 #include <fmt/format.h>
 
@@ -20,15 +21,9 @@ std::string text_of(double number) {
     return {text.data(), end};
 }
 
-bool read_number(const std::string& text, double& number) {
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    return error == std::errc() && end == text.data() + text.size();
-}
-
 std::optional<double> share_of(const std::string& word) {
-    double share = 0.0;
-    const bool is_share = read_number(word, share) && share >= 0.0 && share <= 1.0;
-    return is_share ? std::optional(share) : std::nullopt;
+    const auto share = number_in<double>(word);
+    return share && *share >= 0.0 && *share <= 1.0 ? share : std::nullopt;
 }
 
 /// True for a whole number from `least` to `most`; NaN is none.
@@ -95,8 +90,11 @@ std::vector<std::string> arguments_of(const TraceWork& work) {
 Result<TraceWork> trace_work_in(std::span<const std::string> arguments) {
     std::array<double, number_count> numbers{};
     bool is_read = arguments.size() == number_count;
-    for (std::size_t i = 0; is_read && i < number_count; ++i)
-        is_read = read_number(arguments[i], numbers[i]);
+    for (std::size_t i = 0; is_read && i < number_count; ++i) {
+        const auto number = number_in<double>(arguments[i]);
+        is_read = number.has_value();
+        numbers[i] = number.value_or(0.0);
+    }
     const auto [step, width_m, height_m, detail, x_m, y_m, factor, class_number, edges, things,
                 left, right, top, bottom] = numbers;
     const bool are_choices = is_choice(step, 0, 2) && is_choice(detail, -1000, 1000) &&

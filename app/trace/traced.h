@@ -18,7 +18,6 @@
 #include "config/types/tactile_map.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>

@@ -9,7 +9,6 @@
 #include "app/trace/worker_values.h"
 
 #include <algorithm>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -30,7 +29,6 @@ Result<Sealed> input_of(const Page& page) {
     return sealed_behind({mask}, page);
 }
 
-/// The worker's answer, sealed.
 Result<Sealed> worked(const TraceWork& work, const Descriptor& input) {
     auto answer =
         run_worker({companion("touchline-trace"), arguments_of(work), WorkerKind::trace}, input);
@@ -45,7 +43,6 @@ std::vector<Label> placed(std::vector<Label> labels, const Area& from, const Are
     return labels;
 }
 
-/// Gives the page's texts to the map.
 void tell(const Page& page, const TraceOptions& options, TactileMap& map) {
     map.title = page.told.title;
     map.description = page.told.description;
@@ -53,7 +50,6 @@ void tell(const Page& page, const TraceOptions& options, TactileMap& map) {
                           options.zoom);
 }
 
-/// A worker's answer in memory, and the same read.
 struct Answer {
     FoundLines memory;
     Traced traced;

@@ -14,7 +14,6 @@
 
 #include <cstddef>
 #include <memory>
-#include <span>
 
 namespace touchline {
 
