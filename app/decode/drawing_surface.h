@@ -6,14 +6,12 @@
 #include "app/process/owned.h"
 
 #include <cairo.h>
-#include <glib-object.h>
+#include <glib.h>
 
 namespace touchline::decode {
 
 using GlibText = Owned<gchar, g_free>;
 using GlibError = Owned<GError, g_error_free>;
-template <class T>
-using GlibObject = Owned<T, g_object_unref>;
 
 class DrawingSurface {
   public:

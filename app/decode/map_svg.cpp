@@ -262,7 +262,7 @@ void append_number(std::string& text, double value) {
     text.append(digits.data(), std::to_chars(digits.begin(), digits.end(), value).ptr);
 }
 
-void set(pugi::xml_node node, const char* name, const std::string& value) {
+void put(pugi::xml_node node, const char* name, const std::string& value) {
     node.append_attribute(name).set_value(value.c_str());
 }
 
@@ -272,19 +272,19 @@ void append_text(pugi::xml_node parent, const char* name, const std::string& tex
 
 void append_outline(pugi::xml_node parent, const Outline& outline, const ViewBox& box) {
     pugi::xml_node path = parent.append_child("path");
-    if (!outline.id.empty()) set(path, "id", outline.id);
-    if (!outline.label.empty()) set(path, "data-label", outline.label);
-    set(path, "data-weight", svg_number(outline.weight));
-    set(path, "data-detail", std::to_string(outline.detail));
-    set(path, "d", path_data(outline.points, outline.is_closed, box));
+    if (!outline.id.empty()) put(path, "id", outline.id);
+    if (!outline.label.empty()) put(path, "data-label", outline.label);
+    put(path, "data-weight", svg_number(outline.weight));
+    put(path, "data-detail", std::to_string(outline.detail));
+    put(path, "d", path_data(outline.points, outline.is_closed, box));
 }
 
 void append_label(pugi::xml_node parent, const Label& label, const ViewBox& box) {
     pugi::xml_node text = parent.append_child("text");
     const ViewBoxPoint place = to_view_box(label.place, box);
-    set(text, "data-label", "1");
-    set(text, "x", svg_number(place.u_mm));
-    set(text, "y", svg_number(place.v_mm));
+    put(text, "data-label", "1");
+    put(text, "x", svg_number(place.u_mm));
+    put(text, "y", svg_number(place.v_mm));
     text.text().set(label.text.c_str());
 }
 
@@ -315,27 +315,27 @@ std::string format_map_svg(const TactileMap& map) {
     const std::string height = svg_number(box.height_mm);
     pugi::xml_document document;
     pugi::xml_node declaration = document.append_child(pugi::node_declaration);
-    set(declaration, "version", "1.0");
-    set(declaration, "encoding", "UTF-8");
+    put(declaration, "version", "1.0");
+    put(declaration, "encoding", "UTF-8");
     pugi::xml_node root = document.append_child("svg");
-    set(root, "xmlns", "http://www.w3.org/2000/svg");
-    set(root, "width", width + "mm");
-    set(root, "height", height + "mm");
-    set(root, "viewBox", fmt::format("0 0 {} {}", width, height));
+    put(root, "xmlns", "http://www.w3.org/2000/svg");
+    put(root, "width", width + "mm");
+    put(root, "height", height + "mm");
+    put(root, "viewBox", fmt::format("0 0 {} {}", width, height));
     append_text(root, "title", map.title);
     append_text(root, "desc", map.description);
 
     pugi::xml_node lines = root.append_child("g");
-    set(lines, "fill", "none");
-    set(lines, "stroke", "black");
-    set(lines, "stroke-width", "0.6");
-    set(lines, "stroke-linecap", "round");
-    set(lines, "stroke-linejoin", "round");
+    put(lines, "fill", "none");
+    put(lines, "stroke", "black");
+    put(lines, "stroke-width", "0.6");
+    put(lines, "stroke-linecap", "round");
+    put(lines, "stroke-linejoin", "round");
     for (const Outline& outline : map.outlines) append_outline(lines, outline, box);
     if (!map.labels.empty()) {
         pugi::xml_node words = root.append_child("g");
-        set(words, "font-family", "sans-serif");
-        set(words, "font-size", "4");
+        put(words, "font-family", "sans-serif");
+        put(words, "font-size", "4");
         for (const Label& label : map.labels) append_label(words, label, box);
     }
     std::ostringstream text;

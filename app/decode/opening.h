@@ -1,11 +1,8 @@
-// Opens untrusted files for the kiosk, and reads words in their pictures, in workers that can do
-// nothing else.
-// Threads: any, each call by itself; a call waits for its worker, at most its deadline. Reading
-// words takes the longest (WorkerKind::ocr), so no thread that draws or speaks should do it.
+// Opens untrusted files for the kiosk, in a worker that can do nothing else.
+// Threads: any, each call by itself; a call waits for its worker, at most its deadline.
 #pragma once
 
 #include "app/decode/file_format.h"
-#include "app/decode/found_words.h"
 #include "app/decode/page.h"
 
 #include <memory>
@@ -22,9 +19,5 @@ namespace touchline {
 
 /// As open_page(), for a file and the text beside it (side_car.h); errors start with its name.
 [[nodiscard]] Result<Page> open_page_of(const std::string& path, const PageOrder& order = {});
-
-/// The credible words; finding none is no error. Fails with one line: why, and what follows from
-/// it. The picture holds at least one pixel.
-[[nodiscard]] Result<FoundWords> read_words(const Picture& picture, const ReadingOrder& order = {});
 
 }  // namespace touchline

@@ -56,7 +56,7 @@ class StructureWalk {
         if (at == nullptr || depth > deepest) return;
         do {
             if (is_done_ || ++seen_ > most_elements) return;
-            const GlibObject<PopplerStructureElement> element(
+            const Owned<PopplerStructureElement, g_object_unref> element(
                 poppler_structure_element_iter_get_element(at.get()));
             if (element != nullptr && poppler_structure_element_get_page(element.get()) == page_)
                 is_done_ = !visit_(element.get());
@@ -349,7 +349,7 @@ Result<Page> read_page(PopplerDocument* document, PopplerPage* source, Bytes byt
 Result<Page> read_pdf(Bytes bytes, const PageOrder& order) {
     GError* problem = nullptr;
     const Owned<GBytes, g_bytes_unref> held(g_bytes_new_static(bytes.data(), bytes.size()));
-    const GlibObject<PopplerDocument> document(
+    const Owned<PopplerDocument, g_object_unref> document(
         poppler_document_new_from_bytes(held.get(), nullptr, &problem));
     if (document == nullptr) return refusal(GlibError(problem));
     const int count = std::min(poppler_document_get_n_pages(document.get()), max_pages);
@@ -357,7 +357,8 @@ Result<Page> read_pdf(Bytes bytes, const PageOrder& order) {
     if (order.page > count)
         return failure(fmt::format("the document has {} {}; choose one of them", count,
                                    count == 1 ? "page" : "pages"));
-    const GlibObject<PopplerPage> page(poppler_document_get_page(document.get(), order.page - 1));
+    const Owned<PopplerPage, g_object_unref> page(
+        poppler_document_get_page(document.get(), order.page - 1));
     if (page == nullptr) return damaged("PDF", "the page is missing");
     auto read = read_page(document.get(), page.get(), bytes, order);
     if (read) read->count = count;

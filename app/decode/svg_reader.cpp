@@ -273,7 +273,7 @@ Result<Page> read_svg(Bytes bytes, const PageOrder& order) {
         return failure("the SVG picture repeats its parts too often; save it as PNG");
     const SvgWithTexts source = with_ids(*text);
     GError* problem = nullptr;
-    const GlibObject<RsvgHandle> handle(rsvg_handle_new_from_data(
+    const Owned<RsvgHandle, g_object_unref> handle(rsvg_handle_new_from_data(
         reinterpret_cast<const guint8*>(source.svg.data()), source.svg.size(), &problem));
     if (handle == nullptr) return told(GlibError(problem));
     constexpr double kPixelsPerInch = 96.0;  // as in CSS

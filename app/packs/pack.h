@@ -187,8 +187,8 @@ struct PackFile {
     friend bool operator==(const PackFile&, const PackFile&) = default;
 };
 
-/// Names are plain and unique, sizes are within pack_limits.h, and every file that `info` names
-/// exists. The contents are not checked yet (pack_check.h).
+/// Names are plain and unique, sizes are within pack_limits, and every file that `info` names
+/// exists. The contents are not checked yet (check_pack()).
 struct Pack {
     PackInfo info;
     std::vector<PackFile> files;  // sorted by name, pack.toml among them

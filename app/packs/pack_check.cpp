@@ -9,13 +9,6 @@
 namespace touchline {
 namespace {
 
-/// A grade in pack.toml counts before the picture's own.
-void look_at_difficulty(const PackPicture& picture, const PackPictureLook& look,
-                        std::vector<PackFinding>& findings) {
-    if (!picture.difficulty && !look.difficulty)
-        findings.push_back({FindingKind::no_difficulty, picture.file});
-}
-
 using PartsOfPictures = std::map<std::string, std::set<std::string>>;
 
 void look_at_pictures(const Pack& pack, PartsOfPictures& parts,
@@ -27,7 +20,8 @@ void look_at_pictures(const Pack& pack, PartsOfPictures& parts,
             continue;
         }
         findings.insert(findings.end(), look->findings.begin(), look->findings.end());
-        look_at_difficulty(picture, *look, findings);
+        if (!picture.difficulty && !look->difficulty)  // a grade in pack.toml counts first
+            findings.push_back({FindingKind::no_difficulty, picture.file});
         for (const Outline& outline : look->map.outlines) parts[picture.file].insert(outline.id);
     }
 }

@@ -30,12 +30,6 @@ void fields(Fields& f, Finding& finding) {
     f.template text<std::uint16_t>(finding.what);
 }
 
-PackFinding made_fit(PackFinding finding) {
-    finding.file = fit_for_a_line(finding.file);
-    finding.what = fit_for_a_line(finding.what);
-    return finding;
-}
-
 /// True for text that fits a line; no honest worker sends any other.
 bool is_fit(const std::string& text) {
     return text.size() <= most_finding_text_bytes && is_utf8(text) &&
@@ -48,12 +42,6 @@ std::optional<PackFinding> take_finding(ByteReader& bytes) {
         read_checked(bytes, finding, [](auto& f, auto& found) { fields(f, found); }) &&
         is_fit(finding.file) && is_fit(finding.what);
     return is_sound ? std::optional(std::move(finding)) : std::nullopt;
-}
-
-void put(ByteWriter& bytes, const PackFile& entry) {
-    bytes.text<std::uint16_t>(entry.name);
-    bytes.number(static_cast<std::uint32_t>(entry.bytes.size()));
-    bytes.raw(entry.bytes);
 }
 
 std::optional<PackFile> take_entry(ByteReader& bytes) {
@@ -76,10 +64,16 @@ std::vector<std::byte> bytes_of(const UnpackAnswer& answer) {
     bytes.number(static_cast<std::uint16_t>(findings));
     bytes.number(static_cast<std::uint16_t>(answer.entries.size()));
     for (std::size_t i = 0; i < findings; ++i) {
-        const PackFinding finding = made_fit(answer.findings[i]);
+        PackFinding finding = answer.findings[i];
+        finding.file = fit_for_a_line(finding.file);
+        finding.what = fit_for_a_line(finding.what);
         fields(bytes, finding);
     }
-    for (const PackFile& entry : answer.entries) put(bytes, entry);
+    for (const PackFile& entry : answer.entries) {
+        bytes.text<std::uint16_t>(entry.name);
+        bytes.count(entry.bytes.size());
+        bytes.raw(entry.bytes);
+    }
     return bytes.take();
 }
 

@@ -26,8 +26,6 @@ namespace {
 constexpr std::uint64_t all_rights_of_abi_2 = 0x3fff;
 constexpr long least_abi = 2;
 
-using Folders = std::span<const char* const>;
-
 tl::unexpected<Error> refused(const char* why) {
     return failure(std::string("the sandbox cannot be entered: Landlock: ") + why);
 }
@@ -62,7 +60,7 @@ Result<void> obey(const Descriptor& ruleset) {
 }
 
 /// A missing folder is skipped: nothing in it needs to be read.
-Result<void> restrict_to_reading(Folders folders) {
+Result<void> restrict_to_reading(std::span<const char* const> folders) {
     const auto ruleset = new_ruleset();
     if (!ruleset) return tl::unexpected(ruleset.error());
     for (const char* folder : folders) {

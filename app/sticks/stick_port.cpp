@@ -4,7 +4,6 @@
 #include "app/sticks/udisks_port.h"
 
 #include <array>
-#include <utility>
 
 #include <dirent.h>
 #include <fcntl.h>
@@ -45,8 +44,6 @@ std::unique_ptr<StickPort> open_stick_port(const std::string& watched_folder) {
     if (!watched_folder.empty()) return std::make_unique<FolderPort>(watched_folder);
     return std::make_unique<UdisksPort>();
 }
-
-FolderPort::FolderPort(std::string folder) : folder_(std::move(folder)) {}
 
 std::vector<StickEvent> FolderPort::poll(std::int64_t now_ns) {
     if (now_ns < next_look_ns_) return {};

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace touchline {
@@ -65,7 +66,7 @@ class FolderPort final : public StickPort {
     /// `folder`: the path of the operator's settings. It may be missing. Offers whatever is mounted
     /// on it or put into it; a change of its files is reported as gone and ready. It is checked
     /// twice a second, so it should be local: a check of a network folder may wait.
-    explicit FolderPort(std::string folder);
+    explicit FolderPort(std::string folder) : folder_(std::move(folder)) {}
 
     [[nodiscard]] std::vector<StickEvent> poll(std::int64_t now_ns) override;
 

@@ -244,10 +244,6 @@ void UdisksPort::end_session() {
     }
 }
 
-bool UdisksPort::is_watching() const {
-    return is_watching_;
-}
-
 void UdisksPort::connect(std::int64_t now_ns) {
     if (now_ns < next_try_ns_) return;
     next_try_ns_ = now_ns + try_again_ns;

@@ -1,6 +1,6 @@
 // Tests a reader of words that lies, and damaged input to the honest one: the kiosk gets words or
 // one line.
-#include "app/decode/opening.h"
+#include "app/decode/words_in_picture.h"
 #include "app/process/memory.h"
 #include "app/process/places.h"
 #include "app/sandbox/worker.h"

@@ -1,5 +1,6 @@
 // Tests pictures without any writing: no label, nothing masked.
 #include "app/decode/opening.h"
+#include "app/decode/words_in_picture.h"
 #include "app/gallery/gallery.h"
 #include "tests/app/decode/encoders.h"
 

@@ -1,5 +1,6 @@
 // Tests pages of text without a text layer with the real reader: how many words it reads right.
 #include "app/decode/opening.h"
+#include "app/decode/words_in_picture.h"
 #include "tests/app/decode/encoders.h"
 
 #include <cstdio>
