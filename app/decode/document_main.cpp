@@ -2,6 +2,6 @@
 #include "app/decode/worker_program.h"
 
 int main(int argc, char** argv) {
-    using namespace touchline;
-    run_decode_program({prepare_documents, decode_document}, argc, argv);
+    touchline::run_decode_program({touchline::prepare_documents, touchline::decode_document}, argc,
+                                  argv);
 }

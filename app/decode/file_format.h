@@ -55,8 +55,9 @@ inline constexpr std::array file_formats{
     FormatFacts{FileFormat::heif, WorkerKind::heif, {"heic", "heif", "avif", "hif"}},
     FormatFacts{FileFormat::svg, WorkerKind::document, {"svg", "svgz"}},
     FormatFacts{FileFormat::pdf, WorkerKind::document, {"pdf"}},
+    // Its worker says that it cannot be opened.
     FormatFacts{FileFormat::office,
-                WorkerKind::raster,  // which says that it cannot be opened
+                WorkerKind::raster,
                 {"doc", "docx", "docm", "odt", "rtf", "ppt", "pptx", "odp", "xls", "xlsx", "ods",
                  "odg", "numbers", "pages", "key"}}};
 

@@ -23,10 +23,6 @@ constexpr std::array all{Words{WrittenLanguage::english, "en", "eng", "English"}
                          Words{WrittenLanguage::spanish, "es", "spa", "Spanish"},
                          Words{WrittenLanguage::italian, "it", "ita", "Italian"}};
 
-const Words& words_of(WrittenLanguage language) {
-    return all[static_cast<std::size_t>(language)];
-}
-
 bool is_within(const Position& place, const Area& area) {
     return std::abs(place.x) <= area.width_m / 2.0 && std::abs(place.y) <= area.height_m / 2.0;
 }
@@ -41,7 +37,7 @@ bool is_of_words(const TactileMap& map, std::size_t words) {
 }  // namespace
 
 std::string_view name_of(WrittenLanguage language) {
-    return words_of(language).name;
+    return all[static_cast<std::size_t>(language)].name;
 }
 
 WrittenLanguage written_language(std::string_view code) {
@@ -50,7 +46,7 @@ WrittenLanguage written_language(std::string_view code) {
 }
 
 std::string_view code_of(WrittenLanguage language) {
-    return words_of(language).code;
+    return all[static_cast<std::size_t>(language)].code;
 }
 
 std::vector<std::string> arguments_of(const ReadingOrder& order) {

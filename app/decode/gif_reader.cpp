@@ -120,9 +120,8 @@ class Frames {
     std::optional<int> error_;
 };
 
-/// How many frames make the first picture, and its size.
 struct Plan {
-    int frames = 0;
+    int frames = 0;  // that make the first picture
     int width = 0;
     int height = 0;
 };

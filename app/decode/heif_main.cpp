@@ -2,6 +2,5 @@
 #include "app/decode/worker_program.h"
 
 int main(int argc, char** argv) {
-    using namespace touchline;
-    run_decode_program({prepare_heif, decode_heif}, argc, argv);
+    touchline::run_decode_program({touchline::prepare_heif, touchline::decode_heif}, argc, argv);
 }

@@ -2,6 +2,5 @@
 #include "app/decode/worker_program.h"
 
 int main(int argc, char** argv) {
-    using namespace touchline;
-    run_decode_program({nullptr, decode_raster}, argc, argv);
+    touchline::run_decode_program({nullptr, touchline::decode_raster}, argc, argv);
 }

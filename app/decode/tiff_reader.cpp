@@ -13,16 +13,6 @@
 namespace touchline::decode {
 namespace {
 
-tmsize_t refuse_write(thandle_t /*handle*/, void* /*from*/, tmsize_t /*size*/) {
-    return 0;
-}
-
-int close_nothing(thandle_t /*handle*/) {
-    return 0;
-}
-
-void unmap_nothing(thandle_t /*handle*/, void* /*base*/, toff_t /*size*/) {}
-
 int drop_warning(TIFF* /*tiff*/, void* /*user*/, const char* /*module*/, const char* /*format*/,
                  std::va_list /*arguments*/) {
     return 1;
@@ -189,6 +179,9 @@ Result<TiffFile> TiffFile::opened(Bytes bytes) {
         *size = all.size();
         return 1;
     };
+    const auto refuse_write = [](thandle_t, void*, tmsize_t) { return tmsize_t{0}; };
+    const auto close_nothing = [](thandle_t) { return 0; };
+    const auto unmap_nothing = [](thandle_t, void*, toff_t) {};
     const auto size_of = [](thandle_t handle) {
         return static_cast<toff_t>(static_cast<Source*>(handle)->bytes.size());
     };

@@ -35,13 +35,10 @@ inline constexpr std::array<WorkerLimits, worker_kind_count> limits_of_kinds = [
     constexpr std::size_t MiB = std::size_t{1} << 20U;
     return std::array<WorkerLimits, worker_kind_count>{{
         {200 * MiB, 1024 * MiB, 8, 200 * MiB, 10.0, false, false},
-        // heif: all of a picture in memory, twice, and stacks
-        {64 * MiB, 1536 * MiB, 12, 200 * MiB, 15.0, true, false},
-        // document: Pango needs threads to match fonts
-        {128 * MiB, 1024 * MiB, 8, 200 * MiB, 10.0, true, true},
+        {64 * MiB, 1536 * MiB, 12, 200 * MiB, 15.0, true, false},  // all of it, twice, and stacks
+        {128 * MiB, 1024 * MiB, 8, 200 * MiB, 10.0, true, true},   // Pango matches fonts in threads
         {200 * MiB, 1024 * MiB, 30, 16 * MiB, 40.0, false, false},
-        // speech: it answers on its socket
-        {MiB, 256 * MiB, 0, 0, 0.0, false, false},
+        {MiB, 256 * MiB, 0, 0, 0.0, false, false},  // speech answers on its socket
         {64 * MiB, 512 * MiB, 6, 112 * MiB, 8.0, false, false},
         {256 * MiB, 1024 * MiB, 8, 200 * MiB, 10.0, true, false},
         {320 * MiB, 2048 * MiB, 60, 16 * MiB, 60.0, true, false},

@@ -73,9 +73,7 @@ bool is_number_of(const NamePart& part, std::size_t least, std::size_t most) {
 
 /// At most nine digits.
 int value_of(std::string_view digits) {
-    int value = 0;
-    for (const char digit : digits) value = 10 * value + (digit - '0');
-    return value;
+    return number_in<int>(digits).value_or(0);
 }
 
 bool is_leap(int year) {

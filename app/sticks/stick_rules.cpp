@@ -67,7 +67,7 @@ void StickRules::on_mounted(std::uint64_t number, const std::string& object,
 void StickRules::on_mount_failed(std::uint64_t number, bool is_mounted_already) {
     if (!order_ || order_->number != number) return;
     const Volume* const volume = find(order_->object);
-    if (!is_mounted_already && volume != nullptr) spend(volume->object, volume->drive);
+    if (!is_mounted_already && volume != nullptr) spent_.emplace(volume->object, volume->drive);
     order_.reset();
 }
 
@@ -84,7 +84,7 @@ void StickRules::on_unmounted(std::uint64_t number, bool is_done) {
 
 StickStep StickRules::on_session_ended() {
     offer_.reset();  // nobody is there to be told
-    for (const Volume& volume : all_) spend(volume.object, volume.drive);
+    for (const Volume& volume : all_) spent_.emplace(volume.object, volume.drive);
     for (const Volume& volume : all_) told_.insert(volume.drive);
     return decide();
 }
@@ -147,7 +147,7 @@ void StickRules::begin_anew() {
         const Mount mount{volume.object, volume.roots.front()};
         if (unknown_ == volume.object) ours_.insert(mount);
         if (ours_.contains(mount) || (offer_ && offer_->object == volume.object)) continue;
-        spend(volume.object, volume.drive);
+        spent_.emplace(volume.object, volume.drive);
         told_.insert(volume.drive);
     }
     unknown_.reset();
@@ -195,7 +195,7 @@ void StickRules::check_offer(StickStep& step) {
     if (is_there && is_mounted({offer_->object, offer_->root})) return;
     if (is_there) {
         // Somebody unmounted it, and so wants to pull it out.
-        spend(offer_->object, offer_->drive);
+        spent_.emplace(offer_->object, offer_->drive);
         told_.insert(offer_->drive);
     }
     withdraw(step);
@@ -231,10 +231,6 @@ void StickRules::mount_or_offer(const Volume& volume, StickStep& step) {
     }
     offer_ = Offer{volume.object, volume.drive, volume.roots.front(), volume.detected_us};
     step.events.push_back({StickNews::ready, offer_->root, ""});
-}
-
-void StickRules::spend(const std::string& object, const std::string& drive) {
-    spent_.emplace(object, drive);
 }
 
 /// Once per stick, when none of its volumes is left to try.
