@@ -46,12 +46,9 @@ class Header {
 
 /// The packings, each with its depths.
 bool read_packing(const Header& from, BmpHeader& header) {
-    const auto is = [&header](std::initializer_list<int> depths) {
-        return std::find(depths.begin(), depths.end(), header.bits) != depths.end();
-    };
-    const auto set = [&](BmpPacking packing, std::initializer_list<int> depths) {
+    const auto set = [&header](BmpPacking packing, std::initializer_list<int> depths) {
         header.packing = packing;
-        return is(depths);
+        return std::ranges::count(depths, header.bits) > 0;
     };
     switch (from.is_oldest() ? 0 : from.number(16, 4)) {
         case 0:
@@ -109,11 +106,9 @@ Result<void> read_sides(const Header& from, BmpHeader& header) {
         return std::int64_t{static_cast<std::int32_t>(from.number(offset, side_bytes))};
     };
     const std::int64_t width = side(4);
-    const std::int64_t height = side(4 + side_bytes);
-    if (width <= 0) return damaged("BMP", "it has no pixels");
+    const std::int64_t height = side(4 + side_bytes);  // negative: from the top down
     header.is_top_down = height < 0;
-    auto fits = check_file_size("BMP", static_cast<std::uint64_t>(width),
-                                static_cast<std::uint64_t>(std::abs(height)));
+    auto fits = check_file_size("BMP", width, std::abs(height));
     if (!fits) return fits;
     header.width = static_cast<int>(width);
     header.height = static_cast<int>(std::abs(height));

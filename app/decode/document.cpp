@@ -1,7 +1,7 @@
-#include "app/decode/decoding.h"
+#include "app/decode/file_format.h"
 #include "app/decode/formats.h"
-#include "app/decode/pdf_drawn.h"
-#include "app/decode/signature.h"
+#include "app/decode/pdf_words.h"
+#include "app/decode/worker_program.h"
 
 #include <string_view>
 
@@ -17,7 +17,6 @@ constexpr std::string_view words_in_a_drawing =
     R"(<text font-family="sans-serif">a<tspan font-weight="bold">b</tspan></text>)"
     R"(<text font-family="monospace">a<tspan font-weight="bold">b</tspan></text></svg>)";
 
-/// Drops the messages that libraries would write to a terminal.
 void silence_libraries() {
     g_log_set_writer_func(
         [](GLogLevelFlags, const GLogField*, gsize, gpointer) { return G_LOG_WRITER_HANDLED; },

@@ -10,11 +10,6 @@ DrawingSurface::DrawingSurface(int width, int height)
     : surface_(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height)),
       context_(cairo_create(surface_.get())) {}
 
-void DrawingSurface::whiten() {
-    cairo_set_source_rgb(context_.get(), 1.0, 1.0, 1.0);
-    cairo_paint(context_.get());
-}
-
 Result<Picture> DrawingSurface::picture() const {
     if (const auto status = cairo_status(context_.get()); status != CAIRO_STATUS_SUCCESS)
         return failure(std::string("the file cannot be drawn (") + cairo_status_to_string(status) +

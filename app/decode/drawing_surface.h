@@ -1,22 +1,22 @@
-// Private to app/decode: a sheet that libraries draw on, and its pixels.
-// Threads: one sheet, one thread.
+// Private to app/decode: what SVG and PDF are drawn with: a sheet that libraries draw on, with its
+// pixels, and what GLib gives. Threads: one sheet, one thread.
 #pragma once
 
 #include "app/decode/picture.h"
-
-#include <memory>
+#include "app/process/owned.h"
 
 #include <cairo.h>
+#include <glib.h>
 
 namespace touchline::decode {
+
+using GlibText = Owned<gchar, g_free>;
+using GlibError = Owned<GError, g_error_free>;
 
 class DrawingSurface {
   public:
     /// Makes an empty sheet. The size must be within the limits of picture.h.
     DrawingSurface(int width, int height);
-
-    /// Fills the sheet with white: some libraries draw as on paper.
-    void whiten();
 
     [[nodiscard]] cairo_t* context() const { return context_.get(); }
 
@@ -25,14 +25,8 @@ class DrawingSurface {
     [[nodiscard]] Result<Picture> picture() const;
 
   private:
-    struct Release {
-        void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
-
-        void operator()(cairo_t* context) const { cairo_destroy(context); }
-    };
-
-    std::unique_ptr<cairo_surface_t, Release> surface_;
-    std::unique_ptr<cairo_t, Release> context_;
+    Owned<cairo_surface_t, cairo_surface_destroy> surface_;
+    Owned<cairo_t, cairo_destroy> context_;
 };
 
 }  // namespace touchline::decode

@@ -4,7 +4,6 @@
 #include "app/process/descriptor.h"
 
 #include <cerrno>
-#include <filesystem>
 #include <system_error>
 
 #include <fcntl.h>
@@ -25,13 +24,6 @@ Result<void> write_straight(const std::string& path, std::span<const std::byte> 
     if (!file.is_open()) return file_failure(path, "cannot be opened for writing");
     if (!write_all(file, bytes)) return file_failure(path, "cannot be written");
     return {};
-}
-
-/// The name survives a power cut only if its folder is flushed too. This is best effort: some file
-/// systems refuse it, and the file is whole either way.
-void flush_folder(const std::filesystem::path& folder) {
-    const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    if (opened.is_open()) ::fsync(opened.number());
 }
 
 /// Makes a new file beside the target, named after it; puts its name into `temporary`.
@@ -68,9 +60,7 @@ Result<void> write_beside_and_rename(const std::string& path, const std::string&
 Result<std::vector<std::byte>> read_file(const std::string& path) {
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
     if (!file.is_open()) return file_failure(path, "cannot be opened");
-
-    struct stat status {};
-
+    FileStatus status{};
     if (::fstat(file.number(), &status) != 0) return file_failure(path, "cannot be read");
     if (S_ISDIR(status.st_mode)) {
         return failure(one_line(path) + ": is a folder; name a file in it");
@@ -97,9 +87,13 @@ Result<std::vector<std::byte>> read_file(const std::string& path) {
     return bytes;
 }
 
-Result<void> write_whole_file(const std::string& path, std::span<const std::byte> bytes) {
-    struct stat status {};
+void flush_folder(const std::filesystem::path& folder) {
+    const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (opened.is_open()) ::fsync(opened.number());
+}
 
+Result<void> write_whole_file(const std::string& path, std::span<const std::byte> bytes) {
+    FileStatus status{};
     const bool exists = ::stat(path.c_str(), &status) == 0;
     if (exists && S_ISDIR(status.st_mode)) {
         return failure(one_line(path) + ": is a folder; name a file in it");

@@ -5,6 +5,7 @@
 #include "config/types/result.h"
 
 #include <cstddef>
+#include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,5 +26,9 @@ constexpr std::size_t max_file_bytes = std::size_t{256} << 20U;
 [[nodiscard]] Result<void> write_whole_file(const std::string& path,
                                             std::span<const std::byte> bytes);
 [[nodiscard]] Result<void> write_whole_file(const std::string& path, const std::string& text);
+
+/// The names in a folder survive a power cut only if the folder is flushed too. This is best
+/// effort: some file systems refuse it, and the files are whole either way.
+void flush_folder(const std::filesystem::path& folder);
 
 }  // namespace touchline

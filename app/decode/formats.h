@@ -2,11 +2,10 @@
 // std::bad_alloc; without_exceptions() catches it.
 #pragma once
 
+#include "app/decode/file_format.h"
 #include "app/decode/page.h"
-#include "app/decode/page_order.h"
-#include "app/decode/signature.h"
-#include "app/decode/text_line.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -41,18 +40,23 @@ Result<Stored> read_pnm(Bytes bytes);
 Result<Page> read_svg(Bytes bytes, const PageOrder& order);
 Result<Page> read_pdf(Bytes bytes, const PageOrder& order);
 
-/// Checks a picture's size; fails beyond the limits of picture.h, before anything is allocated.
-[[nodiscard]] Result<void> check_size(std::string_view format, std::uint64_t width,
-                                      std::uint64_t height);
+/// Checks a picture's size, before anything is allocated. Fails beyond the limits of picture.h:
+/// "the FORMAT picture has W x H pixels, more than ...; save it smaller".
+[[nodiscard]] Result<void> check_size(std::string_view format, std::int64_t width,
+                                      std::int64_t height);
 
-/// Checks the size of a file whose picture may be made smaller (shrinking.h). Fails likewise: "the
-/// FORMAT picture has W x H pixels, more than ...; save it smaller".
-[[nodiscard]] Result<void> check_file_size(std::string_view format, std::uint64_t width,
-                                           std::uint64_t height,
+/// The same for a file whose picture may be made smaller (shrinking.h).
+[[nodiscard]] Result<void> check_file_size(std::string_view format, std::int64_t width,
+                                           std::int64_t height,
                                            std::uint64_t most_pixels = max_file_pixels);
 
 /// "the FORMAT picture is cut short or damaged (DETAIL); ...", for an error that a library reports.
 [[nodiscard]] tl::unexpected<Error> damaged(std::string_view format, std::string_view detail);
+
+/// The same for a file that ends before its picture does.
+[[nodiscard]] inline tl::unexpected<Error> cut_short(std::string_view format) {
+    return damaged(format, "the file ends before the picture");
+}
 
 /// What to do with a file of none of the formats.
 [[nodiscard]] tl::unexpected<Error> not_a_picture(FileFormat format);
@@ -61,6 +65,19 @@ Result<Page> read_pdf(Bytes bytes, const PageOrder& order);
 [[nodiscard]] Result<Page> without_exceptions(Result<Page> (*read)(Bytes bytes,
                                                                    const PageOrder& order),
                                               Bytes bytes, const PageOrder& order);
+
+/// A box in any unit, y downwards.
+struct TextBox {
+    double left = 0.0;
+    double top = 0.0;
+    double right = 0.0;
+    double bottom = 0.0;
+};
+
+[[nodiscard]] constexpr TextBox around(const TextBox& a, const TextBox& b) {
+    return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right),
+            std::max(a.bottom, b.bottom)};
+}
 
 /// Metres of a page's `told` map per pixel of its picture. Any page then has an area below a metre.
 constexpr double told_m_per_px = 1e-4;
@@ -88,5 +105,11 @@ void unmultiply(std::uint8_t* bgra);
 /// Turns the picture upright by the orientation of EXIF and TIFF (1 ... 8; anything else changes
 /// nothing).
 [[nodiscard]] Picture upright(Picture picture, int orientation);
+
+using PixelReader = Result<Stored> (*)(Bytes bytes);
+
+/// The picture of a file of pixels, upright, with square pixels, in sRGB, and what the file says
+/// about it. Fails as the reader does, or for a page other than 1.
+[[nodiscard]] Result<Page> page_by(PixelReader read, Bytes bytes, const PageOrder& order);
 
 }  // namespace touchline::decode

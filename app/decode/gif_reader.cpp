@@ -16,15 +16,11 @@
 namespace touchline::decode {
 namespace {
 
-struct GifSource {
-    Bytes left;
-};
-
 int read_some(GifFileType* file, GifByteType* to, int wanted) {
-    auto& source = *static_cast<GifSource*>(file->UserData);
-    const std::size_t count = std::min(static_cast<std::size_t>(wanted), source.left.size());
-    if (count > 0) std::memcpy(to, source.left.data(), count);
-    source.left = source.left.subspan(count);
+    auto& left = *static_cast<Bytes*>(file->UserData);
+    const std::size_t count = std::min(static_cast<std::size_t>(wanted), left.size());
+    if (count > 0) std::memcpy(to, left.data(), count);
+    left = left.subspan(count);
     return static_cast<int>(count);
 }
 
@@ -39,7 +35,6 @@ tl::unexpected<Error> broken(int error) {
     return damaged("GIF", words != nullptr ? words : "");
 }
 
-/// What the file says before a frame.
 struct Control {
     std::optional<int> transparent;  // the index that is not drawn
     bool has_pause = false;          // a pause follows it
@@ -65,7 +60,6 @@ bool repeats(int code, const GifByteType* block) {
     return std::ranges::find(programs, name) != programs.end();
 }
 
-/// Goes from frame to frame.
 class Frames {
   public:
     explicit Frames(GifFileType& file) : file_(file) {}
@@ -126,9 +120,8 @@ class Frames {
     std::optional<int> error_;
 };
 
-/// How many frames make the first picture, and its size.
 struct Plan {
-    int frames = 0;
+    int frames = 0;  // that make the first picture
     int width = 0;
     int height = 0;
 };
@@ -176,15 +169,11 @@ std::vector<int> row_order(int height, bool is_interlaced) {
 
     constexpr std::array<RowPass, 4> interlaced_rows{{{0, 8}, {4, 8}, {2, 4}, {1, 2}}};
     constexpr std::array<RowPass, 1> plain_rows{{{0, 1}}};
+    const std::span<const RowPass> passes =
+        is_interlaced ? std::span<const RowPass>(interlaced_rows) : plain_rows;
     std::vector<int> rows;
-    const auto add = [&](const RowPass& pass) {
+    for (const RowPass& pass : passes)
         for (int y = pass.first; y < height; y += pass.step) rows.push_back(y);
-    };
-    if (is_interlaced) {
-        for (const RowPass& pass : interlaced_rows) add(pass);
-    } else {
-        for (const RowPass& pass : plain_rows) add(pass);
-    }
     return rows;
 }
 
@@ -250,9 +239,10 @@ Result<void> draw_frame(GifFileType& file, const Control& control, bool is_last,
     return {};
 }
 
-Result<File> open(GifSource& source) {
+/// Moves the beginning of `left` on while the file is read.
+Result<File> open(Bytes& left) {
     int error = 0;
-    File file(DGifOpen(&source, read_some, &error));
+    File file(DGifOpen(&left, read_some, &error));
     if (file == nullptr) return broken(error);
     return file;
 }
@@ -266,22 +256,20 @@ Resolution resolution_of(const GifFileType& file) {
 }  // namespace
 
 Result<Stored> read_gif(Bytes bytes) {
-    GifSource looked_at{bytes};
+    Bytes looked_at = bytes;
     const auto first = open(looked_at);
     if (!first) return tl::unexpected(first.error());
     const auto plan = plan_of(**first);
     if (!plan) return tl::unexpected(plan.error());
-    if (auto fits = check_file_size("GIF", static_cast<std::uint64_t>(plan->width),
-                                    static_cast<std::uint64_t>(plan->height));
-        !fits)
+    if (auto fits = check_file_size("GIF", plan->width, plan->height); !fits)
         return tl::unexpected(fits.error());
-    GifSource source{bytes};
-    const auto file = open(source);
+    Bytes left = bytes;
+    const auto file = open(left);
     if (!file) return tl::unexpected(file.error());
     Frames frames(**file);
     Canvas canvas(*plan);
     for (int i = 0; i < plan->frames; ++i) {
-        if (!frames.next()) return damaged("GIF", "the file ends before the picture");
+        if (!frames.next()) return cut_short("GIF");
         const bool is_last = i + 1 == plan->frames;
         const auto drawn = draw_frame(**file, frames.control(), is_last, canvas);
         if (!drawn) return tl::unexpected(drawn.error());

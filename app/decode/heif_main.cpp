@@ -1,8 +1,6 @@
 // touchline-decode-heif: decodes HEIC and AVIF.
-#include "app/decode/decode_program.h"
-#include "app/decode/decoding.h"
+#include "app/decode/worker_program.h"
 
 int main(int argc, char** argv) {
-    using namespace touchline;
-    run_decode_program({prepare_heif, decode_heif}, argc, argv);
+    touchline::run_decode_program({touchline::prepare_heif, touchline::decode_heif}, argc, argv);
 }

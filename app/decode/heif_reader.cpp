@@ -1,13 +1,12 @@
 // HEIC (telephones) and AVIF, through libheif. It turns pictures upright itself, and decodes the
 // whole picture at once, so a large one is made smaller afterwards.
-#include "app/decode/decoding.h"
 #include "app/decode/formats.h"
-#include "app/decode/pixel_page.h"
 #include "app/decode/shrinking.h"
+#include "app/decode/worker_program.h"
+#include "app/process/owned.h"
 
 #include <algorithm>
 #include <array>
-#include <memory>
 #include <new>
 #include <utility>
 
@@ -16,18 +15,7 @@
 namespace touchline::decode {
 namespace {
 
-struct Release {
-    void operator()(heif_context* context) const { heif_context_free(context); }
-
-    void operator()(heif_image_handle* handle) const { heif_image_handle_release(handle); }
-
-    void operator()(heif_image* image) const { heif_image_release(image); }
-
-    void operator()(heif_decoding_options* options) const { heif_decoding_options_free(options); }
-};
-
-template <class T>
-using Owned = std::unique_ptr<T, Release>;
+using HeifHandle = Owned<heif_image_handle, heif_image_handle_release>;
 
 /// The first box names it.
 std::string_view name_of(Bytes bytes) {
@@ -41,12 +29,6 @@ tl::unexpected<Error> broken(const heif_error& error, std::string_view name) {
         error.subcode != heif_suberror_Security_limit_exceeded)
         throw std::bad_alloc();
     return damaged(name, error.message != nullptr ? error.message : "");
-}
-
-Result<void> check_sides(int width, int height, std::string_view name) {
-    if (width < 1 || height < 1) return damaged(name, "it has no pixels");
-    return check_file_size(name, static_cast<std::uint64_t>(width),
-                           static_cast<std::uint64_t>(height));
 }
 
 /// A row of one channel in libheif's memory, and the distance to the next row.
@@ -75,7 +57,8 @@ std::array<Plane, 4> planes_of(const heif_image* image) {
 Result<Picture> picture_of(const heif_image* image, std::string_view name) {
     const int width = heif_image_get_width(image, heif_channel_B);
     const int height = heif_image_get_height(image, heif_channel_B);
-    if (auto fits = check_sides(width, height, name); !fits) return tl::unexpected(fits.error());
+    if (auto fits = check_file_size(name, width, height); !fits)
+        return tl::unexpected(fits.error());
     std::array<Plane, 4> planes = planes_of(image);
     for (std::size_t i = 0; i < 3; ++i)
         if (planes[i].row == nullptr) return damaged(name, "it has no colours");
@@ -108,7 +91,7 @@ Resolution resolution_of(const heif_image* image, const heif_image_handle* handl
     return {static_cast<double>(down), static_cast<double>(across)};
 }
 
-Result<Owned<heif_image_handle>> primary_image(heif_context* context, Bytes bytes) {
+Result<HeifHandle> primary_image(heif_context* context, Bytes bytes) {
     heif_context_set_max_decoding_threads(context, 0);
     heif_context_set_maximum_image_size_limit(context, static_cast<int>(max_file_side_px));
     heif_error error =
@@ -117,35 +100,32 @@ Result<Owned<heif_image_handle>> primary_image(heif_context* context, Bytes byte
     heif_image_handle* handle = nullptr;
     error = heif_context_get_primary_image_handle(context, &handle);
     if (error.code != heif_error_Ok) return broken(error, name_of(bytes));
-    return Owned<heif_image_handle>(handle);
+    return HeifHandle(handle);
 }
 
 Result<Stored> read_heif(Bytes bytes) {
     const std::string_view name = name_of(bytes);
-    const Owned<heif_context> context(heif_context_alloc());
+    const Owned<heif_context, heif_context_free> context(heif_context_alloc());
     if (context == nullptr) throw std::bad_alloc();
     const auto handle = primary_image(context.get(), bytes);
     if (!handle) return tl::unexpected(handle.error());
-    if (auto fits = check_sides(heif_image_handle_get_width(handle->get()),
-                                heif_image_handle_get_height(handle->get()), name);
+    if (auto fits = check_file_size(name, heif_image_handle_get_width(handle->get()),
+                                    heif_image_handle_get_height(handle->get()));
         !fits)
         return tl::unexpected(fits.error());
-    const Owned<heif_decoding_options> options(heif_decoding_options_alloc());
+    const Owned<heif_decoding_options, heif_decoding_options_free> options(
+        heif_decoding_options_alloc());
     options->convert_hdr_to_8bit = 1;
     heif_image* decoded = nullptr;
     // Decodes into planes: libheif holds them anyway, and this saves a copy.
     const heif_error error = heif_decode_image(handle->get(), &decoded, heif_colorspace_RGB,
                                                heif_chroma_444, options.get());
     if (error.code != heif_error_Ok) return broken(error, name);
-    const Owned<heif_image> image(decoded);
+    const Owned<heif_image, heif_image_release> image(decoded);
     auto picture = picture_of(image.get(), name);
     if (!picture) return tl::unexpected(picture.error());
     constexpr int is_upright = 1;
     return Stored{std::move(*picture), resolution_of(image.get(), handle->get()), is_upright};
-}
-
-Result<Page> heif_page(Bytes bytes, const PageOrder& order) {
-    return page_by(read_heif, bytes, order);
 }
 
 }  // namespace
@@ -158,7 +138,11 @@ void prepare_heif() {
 }
 
 Result<Page> decode_heif(std::span<const std::byte> bytes, const PageOrder& order) {
-    return decode::without_exceptions(decode::heif_page, bytes, order);
+    return decode::without_exceptions(
+        [](decode::Bytes all, const PageOrder& wanted) {
+            return decode::page_by(decode::read_heif, all, wanted);
+        },
+        bytes, order);
 }
 
 }  // namespace touchline

@@ -2,8 +2,7 @@
 
 #include "app/decode/map_svg.h"
 #include "app/decode/svg_nodes.h"
-#include "app/decode/svg_scanner.h"
-#include "app/decode/svg_words.h"
+#include "app/decode/svg_numbers.h"
 
 #include <algorithm>
 #include <array>
@@ -20,32 +19,6 @@ namespace decode {
 namespace {
 
 constexpr const char* layer_mark = "data-image-layer";
-
-/// Visits elements and their depth in the order of the document, without recursion.
-template <class Visit>
-class Walker : public pugi::xml_tree_walker {
-  public:
-    explicit Walker(Visit visit) : visit_(std::move(visit)) {}
-
-    bool for_each(pugi::xml_node& node) override {
-        if (node.type() == pugi::node_element) visit_(node);
-        return true;
-    }
-
-  private:
-    Visit visit_;
-};
-
-template <class Visit>
-void for_each_element(pugi::xml_node root, Visit visit) {
-    Walker<Visit> walker(std::move(visit));
-    root.traverse(walker);
-}
-
-pugi::xml_node loaded(std::string_view text, pugi::xml_document& document) {
-    if (!document.load_buffer(text.data(), text.size())) return {};
-    return child_named(document, "svg");
-}
 
 std::string saved(const pugi::xml_document& document) {
     std::ostringstream made;
@@ -159,13 +132,6 @@ std::optional<Box> box_of(const pugi::xml_node& root) {
     return has_size ? std::optional(box) : std::nullopt;
 }
 
-bool is_in_millimetres(const pugi::xml_node& root, const Box& box, const Area& area) {
-    const std::string_view width = root.attribute("width").value();
-    return width.ends_with("mm") &&
-           parse_svg_length(width.substr(0, width.size() - 2)) == box.width &&
-           box.width <= 1000.0 * area.width_m + 1e-9 && box.height <= 1000.0 * area.height_m + 1e-9;
-}
-
 void set(pugi::xml_node element, const char* name, const std::string& value) {
     pugi::xml_attribute attribute = element.attribute(name);
     if (!attribute) attribute = element.append_attribute(name);
@@ -205,6 +171,11 @@ void say_once(pugi::xml_node element, const char* name, const std::string& text)
 constexpr std::array<const char*, 5> layer_names{"Silhouette", "Large parts", "Parts",
                                                  "Small parts", "Details"};
 
+bool has_shapes(const pugi::xml_node& element) {
+    return std::any_of(element.begin(), element.end(),
+                       [](const pugi::xml_node& child) { return is_shape(local_name(child)); });
+}
+
 int detail_of(const pugi::xml_node& shape) {
     return std::clamp(shape.attribute("data-detail").as_int(1), 1, 5);
 }
@@ -230,76 +201,71 @@ void group_by_detail(pugi::xml_node parent, std::map<int, int>& uses) {
 }  // namespace decode
 
 bool has_image_layers(std::string_view text) {
+    using namespace decode;
     pugi::xml_document document;
-    const pugi::xml_node root = decode::loaded(text, document);
+    const pugi::xml_node root = svg_root_in(text, document);
     bool found = false;
-    decode::for_each_element(root, [&found](const pugi::xml_node& element) {
+    for_each_element(root, [&found](const pugi::xml_node& element) {
         const bool is_named =
             element.attribute("aria-label") || element.attribute("aria-labelledby");
-        found = found || element.attribute(decode::layer_mark) ||
-                (is_named && decode::is_shape(decode::local_name(element)) &&
-                 decode::words_of_shape(element, {}).empty());
+        found = found || element.attribute(layer_mark) ||
+                (is_named && is_shape(local_name(element)) && words_of_shape(element, {}).empty());
     });
     return found;
 }
 
 Result<std::string> map_svg_of_image_layers(std::string_view text, const Area& area) {
+    using namespace decode;
     pugi::xml_document document;
-    const pugi::xml_node root = decode::loaded(text, document);
+    const pugi::xml_node root = svg_root_in(text, document);
     if (!root) return failure("the picture is no SVG; save it again as SVG");
-    const auto box = decode::box_of(root);
+    const auto box = box_of(root);
     if (!box)
         return failure("the picture has no size; write viewBox=\"0 0 WIDTH HEIGHT\" in <svg>");
-    const decode::Texts texts = decode::texts_by_id(root);
-    decode::name_shapes(root, texts);
-    decode::describe_by_layers(root, texts);
-    if (!decode::is_in_millimetres(root, *box, area)) decode::fit(root, *box, area);
-    return decode::saved(document);
+    const Texts texts = texts_by_id(root);
+    name_shapes(root, texts);
+    describe_by_layers(root, texts);
+    if (!is_in_millimetres(root, box->width, box->height, area)) fit(root, *box, area);
+    return saved(document);
 }
 
 Result<std::string> image_layers_of_map_svg(std::string_view text, const LanguageTag& language) {
+    using namespace decode;
     pugi::xml_document document;
-    const pugi::xml_node root = decode::loaded(text, document);
+    const pugi::xml_node root = svg_root_in(text, document);
     if (!root) return failure("the picture is no SVG; save it again as SVG");
     std::vector<pugi::xml_node> shapes;
     std::vector<pugi::xml_node> groups;
     std::vector<pugi::xml_node> labels;
-    decode::for_each_element(root, [&](const pugi::xml_node& element) {
-        const std::string_view name = decode::local_name(element);
-        if (decode::is_shape(name)) shapes.push_back(element);
+    for_each_element(root, [&](const pugi::xml_node& element) {
+        const std::string_view name = local_name(element);
+        if (is_shape(name)) shapes.push_back(element);
         if (name == "text") labels.push_back(element);
-        const bool has_shapes =
-            std::any_of(element.begin(), element.end(), [](const pugi::xml_node& child) {
-                return decode::is_shape(decode::local_name(child));
-            });
-        if ((name == "g" || name == "a" || name == "svg") && has_shapes &&
-            !element.attribute(decode::layer_mark))
+        if ((name == "g" || name == "a" || name == "svg") && has_shapes(element) &&
+            !element.attribute(layer_mark))
             groups.push_back(element);
     });
-    const auto words = [&](const char* name) { return decode::words_in(root, name, language); };
+    const auto words = [&](const char* name) { return words_in(root, name, language); };
     const std::string title = words("title");
     const std::string description = words("desc");
-    decode::say_once(root, "desc", description);
-    decode::say_once(root, "title", title);
+    say_once(root, "desc", description);
+    say_once(root, "title", title);
     for (pugi::xml_node& label : labels) {
-        const std::string said = decode::words_of_text(label, language);
+        const std::string said = words_of_text(label, language);
         label.remove_children();
         label.text().set(said.c_str());
     }
     for (pugi::xml_node& shape : shapes) {
-        const std::string name = decode::words_of_shape(shape, language);
-        decode::say_once(shape, "title", "");
+        const std::string name = words_of_shape(shape, language);
+        say_once(shape, "title", "");
         shape.remove_attribute("data-label");
-        if (!name.empty()) decode::set(shape, "aria-label", name);
+        if (!name.empty()) set(shape, "aria-label", name);
     }
     std::map<int, int> uses;
     // The root itself is not visited above.
-    if (std::any_of(root.begin(), root.end(), [](const pugi::xml_node& child) {
-            return decode::is_shape(decode::local_name(child));
-        }))
-        groups.insert(groups.begin(), root);
-    for (const pugi::xml_node& group : groups) decode::group_by_detail(group, uses);
-    return decode::saved(document);
+    if (has_shapes(root)) groups.insert(groups.begin(), root);
+    for (const pugi::xml_node& group : groups) group_by_detail(group, uses);
+    return saved(document);
 }
 
 }  // namespace touchline

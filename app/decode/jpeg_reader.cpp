@@ -137,9 +137,7 @@ bool read_rows(Decoder& decoder, bool has_inks, Picture& picture) {
             std::uint8_t* out = picture.bgr.data() + 3 * width * decoder.output_scanline;
             JSAMPROW row = has_inks ? ink_row.data() : out;
             jpeg_read_scanlines(&decoder, &row, 1);
-            if (has_inks) {
-                inks_to_bgr(row, width, decoder.saw_Adobe_marker == TRUE, out);
-            }
+            if (has_inks) inks_to_bgr(row, width, decoder.saw_Adobe_marker == TRUE, out);
         }
         // Ignores what camera makers write behind the picture.
         jpeg_abort_decompress(&decoder);
@@ -151,11 +149,11 @@ bool read_rows(Decoder& decoder, bool has_inks, Picture& picture) {
 Result<Stored> read_jpeg(Bytes bytes) {
     Decoder decoder;
     if (!run(decoder.errors, [&] { decoder.open(bytes); })) return given_up(decoder);
-    const std::uint64_t width = decoder.image_width;
-    const std::uint64_t height = decoder.image_height;
-    if (auto fits = check_file_size("JPEG", width, height, max_jpeg_pixels); !fits)
+    if (auto fits =
+            check_file_size("JPEG", decoder.image_width, decoder.image_height, max_jpeg_pixels);
+        !fits)
         return tl::unexpected(fits.error());
-    const unsigned by = reduction_for(width, height);
+    const unsigned by = reduction_for(decoder.image_width, decoder.image_height);
     const bool has_inks =
         decoder.jpeg_color_space == JCS_CMYK || decoder.jpeg_color_space == JCS_YCCK;
     decoder.scale_num = 1;
@@ -169,8 +167,7 @@ Result<Stored> read_jpeg(Bytes bytes) {
                     1.0 / by};
     picture.bgr.resize(std::size_t{3} * decoder.output_width * decoder.output_height);
     if (!read_rows(decoder, has_inks, picture)) return given_up(decoder);
-    if (decoder.errors.is_cut_short || !is_whole)
-        return damaged("JPEG", "the file ends before the picture");
+    if (decoder.errors.is_cut_short || !is_whole) return cut_short("JPEG");
     return Stored{std::move(picture), resolution_of(decoder)};
 }
 

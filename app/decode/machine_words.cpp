@@ -1,6 +1,6 @@
 #include "app/decode/machine_words.h"
 
-#include "app/decode/ascii.h"
+#include "app/decode/one_line.h"
 
 #include <algorithm>
 #include <array>
@@ -49,103 +49,31 @@ constexpr auto means = std::to_array<std::string_view>(
     {"with", "by", "from", "using", "mit", "von", "aus", "avec", "par", "con", "por", "da"});
 
 /// Programs' placeholders for a missing name, in the languages of the kiosk.
-constexpr auto placeholders = std::to_array<std::string_view>({"untitled",
-                                                               "unbenannt",
-                                                               "ohne titel",
-                                                               "sans titre",
-                                                               "sin título",
-                                                               "sin titulo",
-                                                               "senza titolo",
-                                                               "unnamed",
-                                                               "no title",
-                                                               "title",
-                                                               "titel",
-                                                               "titre",
-                                                               "título",
-                                                               "slice",
-                                                               "slide",
-                                                               "folie",
-                                                               "diapositive",
-                                                               "diapositiva",
-                                                               "layer",
-                                                               "ebene",
-                                                               "calque",
-                                                               "capa",
-                                                               "livello",
-                                                               "artboard",
-                                                               "zeichenfläche",
-                                                               "page",
-                                                               "seite",
-                                                               "página",
-                                                               "pagina",
-                                                               "drawing",
-                                                               "zeichnung",
-                                                               "dessin",
-                                                               "dibujo",
-                                                               "disegno",
-                                                               "document",
-                                                               "dokument",
-                                                               "documento",
-                                                               "doc",
-                                                               "presentation",
-                                                               "präsentation",
-                                                               "présentation",
-                                                               "presentación",
-                                                               "presentazione",
-                                                               "image",
-                                                               "imagen",
-                                                               "immagine",
-                                                               "picture",
-                                                               "pic",
-                                                               "bild",
-                                                               "foto",
-                                                               "photo",
-                                                               "grafik",
-                                                               "graphic",
-                                                               "img",
-                                                               "dsc",
-                                                               "dscn",
-                                                               "dscf",
-                                                               "pxl",
-                                                               "scan",
-                                                               "scanned document",
-                                                               "scanned image",
-                                                               "escaneo",
-                                                               "scansione",
-                                                               "numérisation",
-                                                               "svg",
-                                                               "pdf",
-                                                               "new document",
-                                                               "neues dokument",
-                                                               "nouveau document",
-                                                               "nuevo documento",
-                                                               "nuovo documento",
-                                                               "new doc",
-                                                               "untitled document",
-                                                               "untitled drawing",
-                                                               "untitled design",
-                                                               "unbenanntes dokument",
-                                                               "document sans titre",
-                                                               "documento sin título",
-                                                               "documento senza titolo",
-                                                               "book",
-                                                               "mappe",
-                                                               "classeur",
-                                                               "libro",
-                                                               "layout",
-                                                               "screenshot",
-                                                               "screen shot",
-                                                               "screenshot from",
-                                                               "bildschirmfoto",
-                                                               "capture d’écran",
-                                                               "capture d'écran",
-                                                               "captura de pantalla",
-                                                               "schermata",
-                                                               "camscanner",
-                                                               "whatsapp image",
-                                                               "adobe scan",
-                                                               "default",
-                                                               "clipboard"});
+constexpr auto placeholders = std::to_array<std::string_view>(
+    {"untitled",     "unbenannt",     "unnamed",      "title",         "titel",
+     "titre",        "título",        "slice",        "slide",         "folie",
+     "diapositive",  "diapositiva",   "layer",        "ebene",         "calque",
+     "capa",         "livello",       "artboard",     "zeichenfläche", "page",
+     "seite",        "página",        "pagina",       "drawing",       "zeichnung",
+     "dessin",       "dibujo",        "disegno",      "document",      "dokument",
+     "documento",    "doc",           "presentation", "präsentation",  "présentation",
+     "presentación", "presentazione", "image",        "imagen",        "immagine",
+     "picture",      "pic",           "bild",         "foto",          "photo",
+     "grafik",       "graphic",       "img",          "dsc",           "dscn",
+     "dscf",         "pxl",           "scan",         "escaneo",       "scansione",
+     "numérisation", "svg",           "pdf",          "book",          "mappe",
+     "classeur",     "libro",         "layout",       "screenshot",    "bildschirmfoto",
+     "schermata",    "camscanner",    "default",      "clipboard"});
+
+constexpr auto untitled = std::to_array<std::string_view>(
+    {"ohne titel", "sans titre", "sin título", "sin titulo", "senza titolo", "no title",
+     "untitled document", "untitled drawing", "untitled design", "unbenanntes dokument",
+     "document sans titre", "documento sin título", "documento senza titolo"});
+
+constexpr auto new_files = std::to_array<std::string_view>(
+    {"scanned image", "new document", "neues dokument", "new doc", "screen shot", "whatsapp image",
+     "adobe scan", "scanned document", "nouveau document", "nuevo documento", "nuovo documento",
+     "screenshot from", "capture d’écran", "capture d'écran", "captura de pantalla"});
 
 /// Placeholders only if a number follows; alone they may be what the picture shows.
 constexpr auto numbered = std::to_array<std::string_view>(
@@ -275,7 +203,8 @@ bool is_a_placeholder(std::string_view text) {
             goes_on = true;
         }
     }
-    return has(placeholders, text) || (has_number && has(numbered, text));
+    return has(placeholders, text) || has(untitled, text) || has(new_files, text) ||
+           (has_number && has(numbered, text));
 }
 
 /// "Created with Sketch.", "Generated by Foo 3.2 (http://...)"; not "Made with love".
@@ -336,8 +265,8 @@ bool is_a_token(std::string_view text) {
 }  // namespace
 
 bool is_of_a_machine(std::string_view text) {
-    const std::string small = lower(without(text, " \t\r\n"));
-    const bool is_in_small_letters = lower(text) == text;
+    const std::string small = in_small_letters(without(text, " \t\r\n"));
+    const bool is_in_small_letters = in_small_letters(text) == text;
     const bool is_in_capitals =
         std::ranges::none_of(text, [](char c) { return c >= 'a' && c <= 'z'; });
     return has(whole_texts, without(small, ".")) || is_of_a_camera(small, is_in_capitals) ||

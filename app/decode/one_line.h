@@ -1,10 +1,14 @@
-// Text from outside (paths, ids, messages of libraries) made fit for an Error's single line.
-// Threads: pure functions. O(n).
+// Text from outside (paths, ids, messages of libraries): made fit for an Error's single line, and
+// compared. Threads: pure functions. O(n).
 #pragma once
 
+#include <charconv>
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 namespace touchline {
 
@@ -16,5 +20,27 @@ namespace touchline {
 /// writing become blanks, and runs of blanks become one. Cuts as one_line() does, after
 /// `most_bytes`.
 [[nodiscard]] std::string one_spaced(std::string_view text, std::size_t most_bytes);
+
+/// Capitals of ASCII become small; other bytes stay as they are, whatever the locale.
+[[nodiscard]] inline std::string in_small_letters(std::string_view text) {
+    std::string made(text);
+    for (char& c : made)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return made;
+}
+
+/// The number that the whole text is; nothing if it is none, or beyond a Number. O(n).
+template <class Number>
+[[nodiscard]] std::optional<Number> number_in(std::string_view text) {
+    Number number{};
+    const char* const end = text.data() + text.size();
+    const auto [at, error] = std::from_chars(text.data(), end, number);
+    return error == std::errc() && at == end ? std::optional(number) : std::nullopt;
+}
+
+/// The same bytes as characters; a view. O(1).
+[[nodiscard]] inline std::string_view as_text(std::span<const std::byte> bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
 
 }  // namespace touchline

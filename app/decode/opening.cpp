@@ -23,6 +23,16 @@ constexpr SaidOfEnds<const char*> said_of_files{
     "the file needs too much memory; save it smaller",
     "the file is damaged or harmful; choose another one"};
 
+/// Few pictures have a text beside them. One that cannot be read counts as missing.
+void add_side_car(const std::string& path, Page& page) {
+    std::error_code error;
+    const std::string beside = side_car_of(path);
+    const auto size = std::filesystem::file_size(beside, error);
+    if (error || size > max_side_car_bytes) return;
+    const auto text = read_file(beside);
+    if (text) tell(as_text(*text), page.told);
+}
+
 }  // namespace
 
 Result<Page> open_page(std::span<const std::byte> bytes, const PageOrder& order) {
@@ -44,20 +54,6 @@ Result<Page> page_in(std::shared_ptr<const Descriptor> answer) {
         return page;
     });
 }
-
-namespace {
-
-/// Few pictures have a text beside them. One that cannot be read counts as missing.
-void add_side_car(const std::string& path, Page& page) {
-    std::error_code error;
-    const std::string beside = side_car_of(path);
-    const auto size = std::filesystem::file_size(beside, error);
-    if (error || size > max_side_car_bytes) return;
-    const auto text = read_file(beside);
-    if (text) tell({reinterpret_cast<const char*>(text->data()), text->size()}, page.told);
-}
-
-}  // namespace
 
 Result<Page> open_page_of(const std::string& path, const PageOrder& order) {
     const auto bytes = read_file(path);

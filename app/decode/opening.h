@@ -2,8 +2,8 @@
 // Threads: any, each call by itself; a call waits for its worker, at most its deadline.
 #pragma once
 
+#include "app/decode/file_format.h"
 #include "app/decode/page.h"
-#include "app/decode/page_order.h"
 
 #include <memory>
 #include <span>

@@ -1,4 +1,4 @@
-#include "app/decode/pdf_drawn.h"
+#include "app/decode/pdf_words.h"
 
 #include <algorithm>
 #include <array>

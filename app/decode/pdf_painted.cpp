@@ -230,16 +230,15 @@ class Pieces {
 
 }  // namespace
 
-Painting painting_of(const DrawnText& text, const LetterInk& ink, const Picture& picture) {
+double contrast_of(const DrawnText& text, const LetterInk& ink, const Picture& picture) {
     constexpr double least_ink = 0.1;
     const std::vector<Sample> samples = samples_of(text, ink, picture);
     double most_ink = 0.0;
     for (const Sample& sample : samples) most_ink = std::max(most_ink, sample.ink);
-    Painting painting;
-    if (most_ink < least_ink) return painting;
-    for (std::size_t channel = 0; channel < 3; ++channel)
-        painting.contrast = std::max(painting.contrast, contrast_in(samples, channel, most_ink));
-    return painting;
+    double contrast = 0.0;
+    for (std::size_t channel = 0; channel < 3 && most_ink >= least_ink; ++channel)
+        contrast = std::max(contrast, contrast_in(samples, channel, most_ink));
+    return contrast;
 }
 
 bool looks_written(const DrawnText& text, const Picture& picture) {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <utility>
 
 #include <glib.h>
@@ -106,7 +105,6 @@ void put_in_reading_order(std::vector<Letter>& letters) {
     }
 }
 
-/// Joins letters in the order of drawing.
 class TextJoiner {
   public:
     void take(const DrawnLetter& letter) {

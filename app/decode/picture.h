@@ -4,9 +4,12 @@
 
 #include "config/types/result.h"
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace touchline {
@@ -26,14 +29,24 @@ struct GreyPicture {
     std::vector<std::uint8_t> grey;
 };
 
+/// The bytes as samples, copied. O(bytes).
+[[nodiscard]] inline std::vector<std::uint8_t> samples_of(std::span<const std::byte> bytes) {
+    const auto* const first = reinterpret_cast<const std::uint8_t*>(bytes.data());
+    return {first, first + bytes.size()};
+}
+
 /// A header that claims more is refused before anything is allocated.
 constexpr std::uint64_t max_picture_pixels = std::uint64_t{40} << 20U;
 constexpr std::uint64_t max_picture_side_px = 10'000;
 
 /// True if the size is within these two limits, with at least one pixel.
-[[nodiscard]] constexpr bool fits_a_picture(std::uint64_t width, std::uint64_t height) {
-    return width >= 1 && height >= 1 && width <= max_picture_side_px &&
-           height <= max_picture_side_px && width * height <= max_picture_pixels;
+[[nodiscard]] constexpr bool fits_a_picture(std::integral auto width, std::integral auto height) {
+    const auto is_side = [](auto side) {
+        return std::cmp_greater(side, 0) && std::cmp_less_equal(side, max_picture_side_px);
+    };
+    return is_side(width) && is_side(height) &&
+           static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) <=
+               max_picture_pixels;
 }
 
 /// A file may have more pixels: reading makes them fewer. A JPEG may have the most, because its

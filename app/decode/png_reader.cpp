@@ -3,7 +3,6 @@
 #include "app/decode/formats.h"
 #include "app/decode/shrinking.h"
 
-#include <algorithm>
 #include <array>
 #include <csetjmp>
 #include <cstring>
@@ -125,11 +124,10 @@ Resolution resolution_of(const Reader& reader) {
     return {static_cast<double>(across), static_cast<double>(down)};
 }
 
-std::uint64_t big_endian_32(Bytes bytes, std::size_t offset) {
-    std::uint64_t value = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-        value = value << 8U | std::to_integer<std::uint64_t>(bytes[offset + i]);
-    }
+std::uint32_t big_endian_32(Bytes bytes, std::size_t offset) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+        value = value << 8U | std::to_integer<std::uint32_t>(bytes[offset + i]);
     return value;
 }
 
@@ -139,9 +137,8 @@ Result<Stored> read_png(Bytes bytes) {
     constexpr std::size_t header_end = 24;  // signature 8, IHDR's length and name 8, two sides 8
     if (bytes.size() < header_end) return damaged("PNG", "the header is missing");
     // Checked here because libpng calls a large header merely invalid.
-    const std::uint64_t width = big_endian_32(bytes, 16);
-    const std::uint64_t height = big_endian_32(bytes, 20);
-    if (auto fits = check_file_size("PNG", width, height); !fits)
+    if (auto fits = check_file_size("PNG", big_endian_32(bytes, 16), big_endian_32(bytes, 20));
+        !fits)
         return tl::unexpected(fits.error());
 
     Reader reader(bytes);

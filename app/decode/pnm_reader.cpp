@@ -76,10 +76,6 @@ Form form_of(char digit) {
     return form;
 }
 
-tl::unexpected<Error> cut_short() {
-    return damaged("PNM", "the file ends before the picture");
-}
-
 /// Samples as 0 ... 255, in a row.
 using Samples = std::vector<std::uint8_t>;
 
@@ -89,11 +85,11 @@ std::uint8_t scaled(std::uint32_t value, std::uint32_t most) {
 
 Result<Samples> read_text(Scanner scanner, const Form& form, std::size_t count) {
     // Each sample needs at least a digit and a blank, so nothing is allocated for missing ones.
-    if (scanner.rest().size() + 1 < (form.is_bits ? count : 2 * count - 1)) return cut_short();
+    if (scanner.rest().size() + 1 < (form.is_bits ? count : 2 * count - 1)) return cut_short("PNM");
     Samples samples(count);
     for (std::uint8_t& sample : samples) {
         const auto value = form.is_bits ? scanner.bit() : scanner.number();
-        if (!value) return cut_short();
+        if (!value) return cut_short("PNM");
         sample = form.is_bits ? static_cast<std::uint8_t>(*value == 0 ? 255 : 0)
                               : scaled(*value, form.most);
     }
@@ -102,7 +98,7 @@ Result<Samples> read_text(Scanner scanner, const Form& form, std::size_t count) 
 
 Result<Samples> read_bits(Bytes raster, std::size_t width, std::size_t height) {
     const std::size_t stride = (width + 7) / 8;
-    if (raster.size() < stride * height) return cut_short();
+    if (raster.size() < stride * height) return cut_short("PNM");
     Samples samples(width * height);
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const std::size_t x = i % width;
@@ -114,7 +110,7 @@ Result<Samples> read_bits(Bytes raster, std::size_t width, std::size_t height) {
 
 Result<Samples> read_numbers(Bytes raster, const Form& form, std::size_t count) {
     const std::size_t bytes = form.most > 255 ? 2 : 1;
-    if (raster.size() < bytes * count) return cut_short();
+    if (raster.size() < bytes * count) return cut_short("PNM");
     Samples samples(count);
     for (std::size_t i = 0; i < count; ++i) {
         auto value = std::to_integer<std::uint32_t>(raster[bytes * i]);
@@ -141,7 +137,7 @@ Picture picture_of(const Samples& samples, std::size_t channels, std::size_t wid
 }  // namespace
 
 Result<Stored> read_pnm(Bytes bytes) {
-    if (bytes.size() < 3) return cut_short();
+    if (bytes.size() < 3) return cut_short("PNM");
     Form form = form_of(static_cast<char>(bytes[1]));
     Scanner scanner(bytes);
     const auto width = scanner.number();

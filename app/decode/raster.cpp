@@ -1,37 +1,31 @@
-#include "app/decode/decoding.h"
-#include "app/decode/pixel_page.h"
+#include "app/decode/formats.h"
+#include "app/decode/worker_program.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
 
 namespace touchline {
 namespace decode {
 namespace {
 
+using FormatReader = std::pair<FileFormat, PixelReader>;
+
+constexpr std::array<FormatReader, 7> readers{{{FileFormat::png, read_png},
+                                               {FileFormat::jpeg, read_jpeg},
+                                               {FileFormat::webp, read_webp},
+                                               {FileFormat::tiff, read_tiff},
+                                               {FileFormat::gif, read_gif},
+                                               {FileFormat::bmp, read_bmp},
+                                               {FileFormat::pnm, read_pnm}}};
+
 Result<Stored> refuse(Bytes bytes) {
     return not_a_picture(format_of(bytes));
 }
 
-PixelReader reader_of(FileFormat format) {
-    switch (format) {
-        case FileFormat::png:
-            return read_png;
-        case FileFormat::jpeg:
-            return read_jpeg;
-        case FileFormat::webp:
-            return read_webp;
-        case FileFormat::tiff:
-            return read_tiff;
-        case FileFormat::gif:
-            return read_gif;
-        case FileFormat::bmp:
-            return read_bmp;
-        case FileFormat::pnm:
-            return read_pnm;
-        default:
-            return refuse;
-    }
-}
-
 Result<Page> read_raster(Bytes bytes, const PageOrder& order) {
-    return page_by(reader_of(format_of(bytes)), bytes, order);
+    const auto* const found = std::ranges::find(readers, format_of(bytes), &FormatReader::first);
+    return page_by(found == readers.end() ? refuse : found->second, bytes, order);
 }
 
 }  // namespace

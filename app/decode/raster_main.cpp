@@ -1,8 +1,6 @@
 // touchline-decode: decodes pictures of pixels.
-#include "app/decode/decode_program.h"
-#include "app/decode/decoding.h"
+#include "app/decode/worker_program.h"
 
 int main(int argc, char** argv) {
-    using namespace touchline;
-    run_decode_program({nullptr, decode_raster}, argc, argv);
+    touchline::run_decode_program({nullptr, touchline::decode_raster}, argc, argv);
 }

@@ -9,7 +9,6 @@
 namespace touchline::decode {
 namespace {
 
-/// The colour times alpha / 255.
 std::uint16_t weighted(std::uint8_t colour, unsigned alpha) {
     return static_cast<std::uint16_t>((colour * alpha + 127U) / 255U);
 }

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 
 namespace touchline {
 namespace {
@@ -93,10 +92,6 @@ std::string text_in(std::string_view bytes) {
 }
 
 }  // namespace
-
-std::string side_car_of(const std::string& path) {
-    return std::filesystem::path(path).replace_extension(".txt").string();
-}
 
 void tell(std::string_view bytes, TactileMap& told) {
     const std::string text = text_in(bytes);

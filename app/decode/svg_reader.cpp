@@ -4,40 +4,120 @@
 #include "app/decode/formats.h"
 #include "app/decode/machine_words.h"
 #include "app/decode/map_svg.h"
-#include "app/decode/svg_references.h"
-#include "app/decode/svg_texts.h"
+#include "app/decode/page.h"
+#include "app/decode/svg_nodes.h"
+#include "app/decode/svg_survey.h"
 #include "config/types/map_limits.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include <fmt/format.h>
 #include <glib.h>
 #include <librsvg/rsvg.h>
+#include <pugixml.hpp>
 #include <zlib.h>
 
 namespace touchline::decode {
 namespace {
 
-constexpr std::size_t most_text_bytes = std::size_t{64} << 20U;
-
-struct Release {
-    void operator()(gchar* text) const { g_free(text); }
-
-    void operator()(z_stream* stream) const { inflateEnd(stream); }
-
-    void operator()(RsvgHandle* handle) const { g_object_unref(handle); }
-
-    void operator()(GError* error) const { g_error_free(error); }
+/// A <text> that can be found by its id.
+struct SvgText {
+    std::string words;
+    std::string id;
 };
 
-template <class T>
-using Owned = std::unique_ptr<T, Release>;
+struct SvgWithTexts {
+    std::string svg;  // every <text> has an id
+    std::vector<SvgText> texts;
+};
+
+/// True for elements whose content is painted elsewhere, or nowhere.
+bool is_apart(std::string_view name) {
+    constexpr std::array<std::string_view, 5> apart{"defs", "symbol", "clipPath", "mask",
+                                                    "pattern"};
+    return std::ranges::find(apart, name) != apart.end();
+}
+
+class Collector {
+  public:
+    explicit Collector(std::string_view svg) : svg_(svg) {}
+
+    SvgWithTexts collected(const pugi::xml_node& root) {
+        walk(root, 0);
+        made_.svg.append(svg_.substr(copied_));
+        return std::move(made_);
+    }
+
+  private:
+    void walk(const pugi::xml_node& parent, int depth) {
+        if (depth > max_nesting) return;
+        for (const pugi::xml_node& element : parent.children()) {
+            if (element.type() != pugi::node_element || is_hidden(element)) continue;
+            const std::string_view name = local_name(element);
+            if (name == "text") take(element);
+            if (name != "text" && !is_apart(name)) walk(element, depth + 1);
+        }
+    }
+
+    void take(const pugi::xml_node& element) {
+        std::string words = words_of_text(element, {});
+        if (words.empty() || made_.texts.size() >= max_word_boxes) return;
+        std::string id = element.attribute("id").value();
+        if (id.empty()) {
+            id = fmt::format("touchline-text-{}", made_.texts.size() + 1);
+            if (!insert_id(element, id)) return;
+        }
+        made_.texts.push_back({std::move(words), std::move(id)});
+    }
+
+    /// Inserts it behind the element's name, so that all else stays as written.
+    bool insert_id(const pugi::xml_node& element, const std::string& id) {
+        const std::string_view name = element.name();
+        const auto at =
+            static_cast<std::size_t>(std::max<std::ptrdiff_t>(element.offset_debug(), 0));
+        if (at < copied_ || at == 0 || at + name.size() > svg_.size()) return false;
+        if (svg_[at - 1] != '<' || svg_.substr(at, name.size()) != name) return false;
+        made_.svg.append(svg_.substr(copied_, at + name.size() - copied_));
+        made_.svg += fmt::format(" id=\"{}\"", id);
+        copied_ = at + name.size();
+        return true;
+    }
+
+    std::string_view svg_;
+    std::size_t copied_ = 0;
+    SvgWithTexts made_;
+};
+
+/// Gives at most max_word_boxes texts ids. A document that cannot be parsed comes back unchanged.
+/// O(text).
+SvgWithTexts with_ids(std::string_view svg) {
+    pugi::xml_document document;
+    const pugi::xml_node root = svg_root_in(svg, document);
+    if (!root) return {std::string(svg), {}};
+    return Collector(svg).collected(root);
+}
+
+/// The box of the painted text in a picture that fills `viewport`; nothing if none of it is
+/// painted.
+std::optional<TextBox> box_of(RsvgHandle* handle, const SvgText& text,
+                              const RsvgRectangle& viewport) {
+    RsvgRectangle ink{};
+    GError* problem = nullptr;
+    const gboolean is_known = rsvg_handle_get_geometry_for_layer(
+        handle, ("#" + text.id).c_str(), &viewport, &ink, nullptr, &problem);
+    const GlibError frees(problem);
+    if (is_known == 0 || !(ink.width > 0.0 && ink.height > 0.0)) return std::nullopt;
+    return TextBox{ink.x, ink.y, ink.x + ink.width, ink.y + ink.height};
+}
+
+constexpr std::size_t most_text_bytes = std::size_t{64} << 20U;
 
 bool is_packed(Bytes bytes) {
     return bytes.size() > 2 && bytes[0] == std::byte{0x1f} && bytes[1] == std::byte{0x8b};
@@ -47,7 +127,7 @@ Result<std::string> unpacked(Bytes bytes) {
     constexpr int gzip = 15 + 16;  // zlib's code for its largest window and a gzip header
     z_stream stream{};
     if (inflateInit2(&stream, gzip) != Z_OK) return damaged("SVG", "it cannot be unpacked");
-    const Owned<z_stream> ends(&stream);
+    const Owned<z_stream, inflateEnd> ends(&stream);
     // zlib does not write to its input.
     stream.next_in = reinterpret_cast<Bytef*>(const_cast<std::byte*>(bytes.data()));
     stream.avail_in = static_cast<uInt>(bytes.size());
@@ -75,7 +155,7 @@ Result<std::string> narrowed(std::string_view text) {
             static_cast<gunichar2>(static_cast<unsigned char>(text[i + low]) |
                                    static_cast<unsigned char>(text[i + 1 - low]) << 8U));
     glong length = 0;
-    const Owned<gchar> utf8(
+    const GlibText utf8(
         g_utf16_to_utf8(units.data(), static_cast<glong>(units.size()), nullptr, &length, nullptr));
     if (utf8 == nullptr) return damaged("SVG", "its letters cannot be read");
     const std::string_view all(utf8.get(), static_cast<std::size_t>(length));
@@ -150,7 +230,6 @@ std::optional<Framing> framing_of(RsvgHandle* handle) {
     return framing;
 }
 
-/// What the document says about itself.
 TactileMap told_by(std::string_view text, const Picture& picture) {
     if (auto own = parse_own_map(text, Area{}); own && point_count(*own) <= MapLimits::points)
         return std::move(*own);
@@ -162,7 +241,6 @@ TactileMap told_by(std::string_view text, const Picture& picture) {
     return told;
 }
 
-/// Adds its texts: their boxes, and their labels.
 void add_texts(RsvgHandle* handle, const std::vector<SvgText>& texts, const Framing& framing,
                Page& page) {
     const Picture& picture = page.picture;
@@ -181,7 +259,7 @@ void add_texts(RsvgHandle* handle, const std::vector<SvgText>& texts, const Fram
     }
 }
 
-tl::unexpected<Error> told(const Owned<GError>& error) {
+tl::unexpected<Error> told(const GlibError& error) {
     return damaged("SVG", error != nullptr ? error->message : "it cannot be drawn");
 }
 
@@ -195,24 +273,21 @@ Result<Page> read_svg(Bytes bytes, const PageOrder& order) {
         return failure("the SVG picture repeats its parts too often; save it as PNG");
     const SvgWithTexts source = with_ids(*text);
     GError* problem = nullptr;
-    const Owned<RsvgHandle> handle(rsvg_handle_new_from_data(
+    const Owned<RsvgHandle, g_object_unref> handle(rsvg_handle_new_from_data(
         reinterpret_cast<const guint8*>(source.svg.data()), source.svg.size(), &problem));
-    if (handle == nullptr) return told(Owned<GError>(problem));
+    if (handle == nullptr) return told(GlibError(problem));
     constexpr double kPixelsPerInch = 96.0;  // as in CSS
     rsvg_handle_set_dpi(handle.get(), kPixelsPerInch);
     const auto framing = framing_of(handle.get());
     if (!framing) return damaged("SVG", "nothing is painted, or it has no size");
-    if (auto fits = check_size("SVG", static_cast<std::uint64_t>(framing->width_px()),
-                               static_cast<std::uint64_t>(framing->height_px()));
-        !fits) {
+    if (auto fits = check_size("SVG", framing->width_px(), framing->height_px()); !fits)
         return tl::unexpected(fits.error());
-    }
     const DrawingSurface sheet(framing->width_px(), framing->height_px());
     cairo_scale(sheet.context(), framing->px_per_unit, framing->px_per_unit);
     cairo_translate(sheet.context(), -framing->shown.x, -framing->shown.y);
     if (rsvg_handle_render_document(handle.get(), sheet.context(), &framing->viewport, &problem) ==
         0)
-        return told(Owned<GError>(problem));
+        return told(GlibError(problem));
     return sheet.picture().map([&](Picture picture) {
         Page page;
         page.picture = std::move(picture);

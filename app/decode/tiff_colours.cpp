@@ -1,10 +1,7 @@
-#include "app/decode/tiff_colours.h"
+#include "app/decode/tiff.h"
 
 #include <algorithm>
 #include <new>
-#include <utility>
-
-#include <lcms2.h>
 
 namespace touchline::decode {
 namespace {
@@ -113,7 +110,6 @@ bool read_palette(const TiffFile& file, TiffForm& form) {
     return true;
 }
 
-/// a times b over 255, rounded.
 std::uint8_t product(unsigned a, unsigned b) {
     return static_cast<std::uint8_t>((a * b + 127U) / 255U);
 }
@@ -133,18 +129,12 @@ Result<TiffForm> form_of(const TiffFile& file) {
     return form;
 }
 
-void TiffPixels::DeleteTransform::operator()(void* transform) const {
-    cmsDeleteTransform(transform);
-}
-
 TiffPixels::TiffPixels(const TiffForm& form, const Range& range) : form_(form), range_(range) {
     if (form.colours != TiffColours::lab) return;
-    void* const lab = cmsCreateLab2Profile(nullptr);
-    void* const srgb = cmsCreate_sRGBProfile();
-    from_lab_.reset(
-        cmsCreateTransform(lab, TYPE_Lab_8, srgb, TYPE_BGR_8, INTENT_RELATIVE_COLORIMETRIC, 0));
-    cmsCloseProfile(lab);
-    cmsCloseProfile(srgb);
+    const Owned<void, cmsCloseProfile> lab(cmsCreateLab2Profile(nullptr));
+    const Owned<void, cmsCloseProfile> srgb(cmsCreate_sRGBProfile());
+    from_lab_.reset(cmsCreateTransform(lab.get(), TYPE_Lab_8, srgb.get(), TYPE_BGR_8,
+                                       INTENT_RELATIVE_COLORIMETRIC, 0));
     if (from_lab_ == nullptr) throw std::bad_alloc();
 }
 

@@ -1,4 +1,4 @@
-#include "app/decode/tiff_samples.h"
+#include "app/decode/tiff.h"
 
 #include <algorithm>
 #include <bit>
@@ -99,34 +99,22 @@ void unpack_floating(Bytes stored, unsigned bits, std::span<float> numbers) {
     }
 }
 
+/// Whole numbers of at most 32 bits.
+template <class Number, std::size_t bytes = sizeof(Number)>
 void unpack_whole(Bytes stored, const SampleForm& form, std::span<float> numbers) {
     const bool is_signed = form.kind == NumberKind::signed_whole;
-    switch (form.bits) {
-        case 8:
-            if (is_signed) break;
-            return unpack_each(
-                numbers, [stored](std::size_t i) { return stored_at<std::uint8_t>(stored, i); });
-        case 16:
-            return unpack_each(numbers, [stored, is_signed](std::size_t i) {
-                const auto bits = stored_at<std::uint16_t>(stored, i);
-                return is_signed ? signed_number(bits, 16) : static_cast<float>(bits);
-            });
-        case 24:
-        case 32:
-            return unpack_each(numbers, [stored, form, is_signed](std::size_t i) {
-                const auto bits = form.bits == 24 ? stored_at<std::uint32_t, 3>(stored, i)
-                                                  : stored_at<std::uint32_t>(stored, i);
-                return is_signed ? signed_number(bits, form.bits) : static_cast<float>(bits);
-            });
-        case 64:
-            return unpack_each(numbers, [stored, is_signed](std::size_t i) {
-                return is_signed ? static_cast<float>(stored_at<std::int64_t>(stored, i))
-                                 : static_cast<float>(stored_at<std::uint64_t>(stored, i));
-            });
-        default:
-            break;
-    }
-    unpack_bits(stored, form, numbers);
+    unpack_each(numbers, [stored, form, is_signed](std::size_t i) {
+        const auto bits = stored_at<Number, bytes>(stored, i);
+        return is_signed ? signed_number(bits, form.bits) : static_cast<float>(bits);
+    });
+}
+
+void unpack_long(Bytes stored, const SampleForm& form, std::span<float> numbers) {
+    const bool is_signed = form.kind == NumberKind::signed_whole;
+    unpack_each(numbers, [stored, is_signed](std::size_t i) {
+        return is_signed ? static_cast<float>(stored_at<std::int64_t>(stored, i))
+                         : static_cast<float>(stored_at<std::uint64_t>(stored, i));
+    });
 }
 
 }  // namespace
@@ -142,7 +130,20 @@ void unpack(Bytes stored, const SampleForm& form, std::span<float> numbers) {
     std::ranges::fill(numbers.subspan(there), 0.0F);
     numbers = numbers.first(there);
     if (form.kind == NumberKind::floating) return unpack_floating(stored, form.bits, numbers);
-    unpack_whole(stored, form, numbers);
+    switch (form.bits) {
+        case 8:
+            return unpack_whole<std::uint8_t>(stored, form, numbers);
+        case 16:
+            return unpack_whole<std::uint16_t>(stored, form, numbers);
+        case 24:
+            return unpack_whole<std::uint32_t, 3>(stored, form, numbers);
+        case 32:
+            return unpack_whole<std::uint32_t>(stored, form, numbers);
+        case 64:
+            return unpack_long(stored, form, numbers);
+        default:
+            return unpack_bits(stored, form, numbers);
+    }
 }
 
 Range own_range(const SampleForm& form) {

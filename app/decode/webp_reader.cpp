@@ -27,17 +27,14 @@ Result<Stored> read_webp(Bytes bytes) {
     WebPDecoderConfig config;
     if (WebPInitDecoderConfig(&config) == 0) return failure("libwebp is of another version");
     if (const auto status = WebPGetFeatures(data, bytes.size(), &config.input);
-        status != VP8_STATUS_OK) {
+        status != VP8_STATUS_OK)
         return damaged("WebP", meaning(status));
-    }
-    if (config.input.has_animation != 0) {
+    if (config.input.has_animation != 0)
         return failure("the WebP picture moves; save one frame of it as PNG or JPEG");
-    }
+    if (auto fits = check_file_size("WebP", config.input.width, config.input.height); !fits)
+        return tl::unexpected(fits.error());
     const auto width = static_cast<std::uint64_t>(config.input.width);
     const auto height = static_cast<std::uint64_t>(config.input.height);
-    if (auto fits = check_file_size("WebP", width, height); !fits) {
-        return tl::unexpected(fits.error());
-    }
     const unsigned by = reduction_for(width, height);
     Picture picture{static_cast<int>(reduced_side(width, by)),
                     static_cast<int>(reduced_side(height, by)),

@@ -1,7 +1,5 @@
-#include "app/decode/word_gate.h"
-
 #include "app/decode/formats.h"
-#include "app/decode/text_line.h"
+#include "app/decode/word_reader.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -45,7 +43,6 @@ Signs signs_in(std::string_view text) {
     return signs;
 }
 
-/// True if the word is good enough to show that its line is text.
 bool stands_for_its_line(const SeenWord& word) {
     const Signs signs = signs_in(word.text);
     if (signs.letters < letters_of_a_word || signs.letters <= signs.others) return false;
@@ -53,7 +50,6 @@ bool stands_for_its_line(const SeenWord& word) {
            (signs.letters >= letters_of_a_long_word ? least_of_a_long_word : least_of_a_short_word);
 }
 
-/// True if it is a word of a line that is text.
 bool is_a_word(const SeenWord& word) {
     const int letters = signs_in(word.text).letters;
     return letters > 0 &&
@@ -63,6 +59,17 @@ bool is_a_word(const SeenWord& word) {
 TextBox text_box(const WordBox& box) {
     return {static_cast<double>(box.left), static_cast<double>(box.top),
             static_cast<double>(box.right), static_cast<double>(box.bottom)};
+}
+
+/// The widest gap between words of one text, in line heights.
+constexpr double widest_gap = 1.2;
+
+/// True if `next` stands in the line of `text`, close behind it.
+bool continues(const TextBox& text, const TextBox& next) {
+    constexpr double least_height = 1.0;
+    const double height = std::max(text.bottom - text.top, least_height);
+    return next.left - text.right < widest_gap * height && next.top < text.bottom &&
+           next.bottom > text.top;
 }
 
 class WordJoiner {

@@ -1,11 +1,7 @@
 #include "app/decode/word_reader.h"
 
-#include "app/decode/word_gate.h"
-
 #include <algorithm>
 #include <cmath>
-#include <memory>
-#include <string>
 #include <utility>
 
 #include <leptonica/allheaders.h>

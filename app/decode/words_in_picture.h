@@ -4,7 +4,6 @@
 #pragma once
 
 #include "app/decode/found_words.h"
-#include "app/decode/reading_order.h"
 
 namespace touchline {
 

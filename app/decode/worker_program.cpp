@@ -1,6 +1,5 @@
 #include "app/decode/worker_program.h"
 
-#include "app/decode/page.h"
 #include "app/process/descriptor.h"
 #include "app/process/memory.h"
 #include "app/sandbox/sandbox.h"
@@ -18,8 +17,7 @@ namespace {
 
 /// Maps the memory that the kiosk sealed, so that a large picture is not copied again.
 Result<Mapping> map_input(const WorkerLimits& limits) {
-    struct stat status {};
-
+    FileStatus status{};
     if (::fstat(worker_input, &status) != 0 || !S_ISREG(status.st_mode))
         return failure("the file cannot be read");
     const auto size = static_cast<std::size_t>(status.st_size);
@@ -65,6 +63,15 @@ void run_worker_program(const WorkerProgram& program) {
 void refuse_to_run(const char* program) {
     std::fprintf(stderr, "%s: the kiosk starts it by itself; use 'touchline'\n", program);
     _exit(2);
+}
+
+void run_decode_program(const Decoder& decoder, int argc, char** argv) {
+    const std::vector<std::string> arguments(argv + 1, argv + argc);
+    const auto work = work_in(arguments);
+    if (!work) refuse_to_run(argv[0]);
+    run_worker_program({work->kind, decoder.prepare, [&](std::span<const std::byte> bytes) {
+                            return answer_of(decoder.decode(bytes, work->order));
+                        }});
 }
 
 }  // namespace touchline

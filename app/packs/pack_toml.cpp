@@ -1,12 +1,9 @@
-#include "app/packs/pack_toml.h"
-
 #include "app/decode/one_line.h"
-#include "app/packs/pack_limits.h"
+#include "app/packs/pack.h"
 #include "app/packs/plain_names.h"
 #include "config/types/utf8.h"
 
 #include <algorithm>
-#include <charconv>
 #include <exception>
 #include <initializer_list>
 #include <set>
@@ -18,12 +15,17 @@
 namespace touchline {
 namespace {
 
-PackFinding finding_at(FindingKind kind, const toml::node& node, std::string_view what) {
-    return {kind, pack_table_name, static_cast<int>(node.source().begin.line), std::string(what)};
-}
+/// What is wrong, for pack_info_of(), to which toml++ throws as well.
+struct WrongToml : std::exception {
+    explicit WrongToml(PackFinding what_is_wrong) : finding(std::move(what_is_wrong)) {}
 
-tl::unexpected<PackFinding> wrong(FindingKind kind, const toml::node& node, std::string_view what) {
-    return refusal(finding_at(kind, node, what));
+    PackFinding finding;
+};
+
+[[noreturn]] void refuse(FindingKind kind, const toml::node& node, std::string_view what,
+                         double value = 0.0) {
+    throw WrongToml({kind, pack_table_name, static_cast<int>(node.source().begin.line),
+                     std::string(what), value});
 }
 
 bool is_letter(char c) {
@@ -43,16 +45,8 @@ bool is_id(std::string_view id) {
     const auto fits = [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
     };
-    return !id.empty() && id.size() <= 60 && std::all_of(id.begin(), id.end(), fits) &&
-           id.front() != '-' && id.back() != '-';
-}
-
-std::optional<int> number_in(std::string_view digits) {
-    int value = 0;
-    const char* const end = digits.data() + digits.size();
-    const auto [at, error] = std::from_chars(digits.data(), end, value);
-    const bool is_number = error == std::errc() && at == end && value >= 0 && value <= 9999;
-    return is_number ? std::optional(value) : std::nullopt;
+    return !id.empty() && id.size() <= 60 && std::ranges::all_of(id, fits) && id.front() != '-' &&
+           id.back() != '-';
 }
 
 /// "1", "1.2" or "1.2.3".
@@ -61,8 +55,8 @@ std::optional<PackVersion> version_in(std::string_view text) {
     int* const places[]{&version.major, &version.minor, &version.patch};
     for (int* place : places) {
         const auto dot = std::min(text.find('.'), text.size());
-        const auto number = number_in(text.substr(0, dot));
-        if (!number) return std::nullopt;
+        const auto number = number_in<int>(text.substr(0, dot));
+        if (!number || *number < 0 || *number > 9999) return std::nullopt;
         *place = *number;
         if (dot == text.size()) return version;
         text.remove_prefix(dot + 1);
@@ -70,22 +64,24 @@ std::optional<PackVersion> version_in(std::string_view text) {
     return std::nullopt;
 }
 
-/// Nothing if every key is one of these.
-std::optional<PackFinding> unknown_key(const toml::table& table,
-                                       std::initializer_list<std::string_view> known) {
+void check_keys(const toml::table& table, std::initializer_list<std::string_view> known) {
     for (const auto& [key, node] : table)
-        if (std::find(known.begin(), known.end(), key.str()) == known.end())
-            return finding_at(FindingKind::toml_unknown, node, key.str());
-    return std::nullopt;
+        if (std::ranges::find(known, key.str()) == known.end())
+            refuse(FindingKind::toml_unknown, node, key.str());
+}
+
+const toml::node& required(const toml::table& table, std::string_view key) {
+    const toml::node* const node = table.get(key);
+    if (node == nullptr) refuse(FindingKind::toml_missing, table, key);
+    return *node;
 }
 
 /// A required key, as a text that `fits`.
 template <class Fits>
-PackResult<std::string> text_at(const toml::table& table, std::string_view key, Fits fits) {
-    const toml::node* node = table.get(key);
-    if (node == nullptr) return wrong(FindingKind::toml_missing, table, key);
-    const auto* text = node->as_string();
-    if (text == nullptr || !fits(text->get())) return wrong(FindingKind::toml_value, *node, key);
+std::string text_at(const toml::table& table, std::string_view key, Fits fits) {
+    const toml::node& node = required(table, key);
+    const auto* text = node.as_string();
+    if (text == nullptr || !fits(text->get())) refuse(FindingKind::toml_value, node, key);
     return text->get();
 }
 
@@ -94,158 +90,131 @@ bool is_plain_name(const std::string& name) {
 }
 
 /// One text for all languages, or a table with one per language.
-PackResult<std::vector<LanguageText>> titles_in(const toml::table& table) {
-    const toml::node* node = table.get("title");
-    if (node == nullptr) return wrong(FindingKind::toml_missing, table, "title");
+std::vector<LanguageText> titles_in(const toml::table& table) {
+    const toml::node& node = required(table, "title");
     std::vector<LanguageText> titles;
-    if (const auto* text = node->as_string()) titles.push_back({"", text->get()});
-    if (const auto* texts = node->as_table()) {
+    if (const auto* text = node.as_string()) titles.push_back({"", text->get()});
+    if (const auto* texts = node.as_table()) {
         for (const auto& [language, text] : *texts) {
             if (!is_language_tag(language.str()) || !text.is_string())
-                return wrong(FindingKind::toml_value, text, "title");
+                refuse(FindingKind::toml_value, text, "title");
             titles.push_back({std::string(language.str()), text.as_string()->get()});
         }
     }
-    const bool are_good = std::all_of(titles.begin(), titles.end(), [](const LanguageText& title) {
-        return is_text(title.text);
-    });
+    const bool are_good =
+        std::ranges::all_of(titles, [](const LanguageText& title) { return is_text(title.text); });
     if (titles.empty() || titles.size() > pack_limits.languages || !are_good)
-        return wrong(FindingKind::toml_value, *node, "title");
+        refuse(FindingKind::toml_value, node, "title");
     return titles;
 }
 
-PackResult<std::vector<std::string>> languages_in_table(const toml::table& table) {
-    const toml::node* node = table.get("languages");
-    if (node == nullptr) return wrong(FindingKind::toml_missing, table, "languages");
-    const auto* tags = node->as_array();
-    const bool is_count_good =
-        tags != nullptr && !tags->empty() && tags->size() <= pack_limits.languages;
-    if (!is_count_good) return wrong(FindingKind::toml_value, *node, "languages");
+std::vector<std::string> languages_in(const toml::table& table) {
+    const toml::node& node = required(table, "languages");
+    const auto* tags = node.as_array();
+    if (tags == nullptr || tags->empty() || tags->size() > pack_limits.languages)
+        refuse(FindingKind::toml_value, node, "languages");
     std::vector<std::string> languages;
     std::set<std::string> seen;
     for (const toml::node& tag : *tags) {
         const auto* text = tag.as_string();
         if (text == nullptr || !is_language_tag(text->get()) ||
-            !seen.insert(folded(text->get())).second)
-            return wrong(FindingKind::toml_value, tag, "languages");
+            !seen.insert(in_small_letters(text->get())).second)
+            refuse(FindingKind::toml_value, tag, "languages");
         languages.push_back(text->get());
     }
     return languages;
 }
 
-PackResult<PackPicture> picture_in(const toml::table& table) {
-    if (auto unknown = unknown_key(table, {"file", "difficulty"})) return refusal(*unknown);
-    auto file = text_at(table, "file", [](const std::string& name) {
-        return is_plain_name(name) && kind_by_name(name) == PackFileKind::picture;
+std::string file_in(const toml::table& table, PackFileKind kind) {
+    return text_at(table, "file", [kind](const std::string& name) {
+        return is_plain_name(name) && kind_by_name(name) == kind;
     });
-    if (!file) return refusal(file.error());
-    PackPicture picture{std::move(*file), std::nullopt};
+}
+
+PackPicture picture_in(const toml::table& table) {
+    check_keys(table, {"file", "difficulty"});
+    PackPicture picture{file_in(table, PackFileKind::picture), std::nullopt};
     if (const toml::node* node = table.get("difficulty")) {
         const auto* grade = node->as_integer();
         if (grade == nullptr || grade->get() < 1 || grade->get() > 5)
-            return wrong(FindingKind::toml_value, *node, "difficulty");
+            refuse(FindingKind::toml_value, *node, "difficulty");
         picture.difficulty = static_cast<int>(grade->get());
     }
     return picture;
 }
 
-PackResult<PackSound> sound_in(const toml::table& table) {
-    if (auto unknown = unknown_key(table, {"file", "picture", "language", "says", "part"}))
-        return refusal(*unknown);
-    auto file = text_at(table, "file", [](const std::string& name) {
-        return is_plain_name(name) && kind_by_name(name) == PackFileKind::sound;
-    });
-    if (!file) return refusal(file.error());
-    auto picture = text_at(table, "picture", is_plain_name);
-    if (!picture) return refusal(picture.error());
-    auto language = text_at(table, "language", is_language_tag);
-    if (!language) return refusal(language.error());
-    PackSound sound{std::move(*file), std::move(*picture), std::move(*language),
-                    SoundText::description, ""};
+PackSound sound_in(const toml::table& table) {
+    check_keys(table, {"file", "picture", "language", "says", "part"});
+    PackSound sound;
+    sound.file = file_in(table, PackFileKind::sound);
+    sound.picture = text_at(table, "picture", is_plain_name);
+    sound.language = text_at(table, "language", is_language_tag);
     if (table.contains("part")) {
-        auto part = text_at(table, "part", is_text);
-        if (!part) return refusal(part.error());
-        if (table.contains("says")) return wrong(FindingKind::toml_unknown, table, "says");
         sound.says = SoundText::part;
-        sound.part = std::move(*part);
+        sound.part = text_at(table, "part", is_text);
+        if (table.contains("says")) refuse(FindingKind::toml_unknown, table, "says");
         return sound;
     }
-    const auto says = text_at(table, "says", [](const std::string& text) {
+    const std::string says = text_at(table, "says", [](const std::string& text) {
         return text == "title" || text == "description";
     });
-    if (!says) return refusal(says.error());
-    sound.says = *says == "title" ? SoundText::title : SoundText::description;
+    sound.says = says == "title" ? SoundText::title : SoundText::description;
     return sound;
 }
 
-/// Reads the tables of [[key]].
+/// What the tables of [[key]] hold.
 template <class Item>
-PackResult<std::vector<Item>> items_in(const toml::table& table, std::string_view key,
-                                       std::size_t most,
-                                       PackResult<Item> (*item_in)(const toml::table&)) {
+std::vector<Item> items_in(const toml::table& table, std::string_view key, std::size_t most,
+                           Item (*item_in)(const toml::table&)) {
     std::vector<Item> items;
     const toml::node* node = table.get(key);
     if (node == nullptr) return items;
     const auto* tables = node->as_array();
-    if (tables == nullptr || tables->size() == 0) return wrong(FindingKind::toml_value, *node, key);
-    if (tables->size() > most) {
-        PackFinding many = finding_at(FindingKind::too_many_named, *node, key);
-        many.value = static_cast<double>(most);
-        return refusal(many);
-    }
+    if (tables == nullptr || tables->empty()) refuse(FindingKind::toml_value, *node, key);
+    if (tables->size() > most)
+        refuse(FindingKind::too_many_named, *node, key, static_cast<double>(most));
     for (const toml::node& element : *tables) {
-        if (!element.is_table()) return wrong(FindingKind::toml_value, element, key);
-        auto item = item_in(*element.as_table());
-        if (!item) return refusal(item.error());
-        items.push_back(std::move(*item));
+        if (!element.is_table()) refuse(FindingKind::toml_value, element, key);
+        items.push_back(item_in(*element.as_table()));
     }
     return items;
 }
 
-/// Finds a picture listed twice, a text recorded twice, or a sound of a picture that is not listed.
-std::optional<PackFinding> contradiction(const PackInfo& info) {
-    const auto of_table = [](FindingKind kind, const std::string& what) {
-        return PackFinding{kind, pack_table_name, 0, what};
+/// Refuses a picture listed twice, a text recorded twice, and a sound of a picture that is not
+/// listed.
+void check_whole(const PackInfo& info) {
+    const auto refuse_table = [](FindingKind kind, const std::string& what) {
+        throw WrongToml({kind, pack_table_name, 0, what});
     };
     std::set<std::string> pictures;
     for (const PackPicture& picture : info.pictures)
         if (!pictures.insert(picture.file).second)
-            return of_table(FindingKind::toml_value, picture.file);
+            refuse_table(FindingKind::toml_value, picture.file);
     std::set<std::tuple<std::string, std::string, SoundText, std::string>> said;
     for (const PackSound& sound : info.sounds) {
         if (!pictures.contains(sound.picture))
-            return of_table(FindingKind::not_in_pack, sound.picture);
+            refuse_table(FindingKind::not_in_pack, sound.picture);
         if (!said.insert({sound.picture, sound.language, sound.says, sound.part}).second)
-            return of_table(FindingKind::toml_value, sound.file);
+            refuse_table(FindingKind::toml_value, sound.file);
     }
-    return std::nullopt;
 }
 
-PackResult<PackInfo> info_in(const toml::table& table) {
-    if (auto unknown = unknown_key(table, {"id", "title", "author", "licence", "version",
-                                           "languages", "picture", "sound"}))
-        return refusal(*unknown);
-    auto id = text_at(table, "id", is_id);
-    if (!id) return refusal(id.error());
-    auto titles = titles_in(table);
-    if (!titles) return refusal(titles.error());
-    auto author = text_at(table, "author", is_text);
-    if (!author) return refusal(author.error());
-    auto licence = text_at(table, "licence", is_text);
-    if (!licence) return refusal(licence.error());
-    const auto version = text_at(
-        table, "version", [](const std::string& text) { return version_in(text).has_value(); });
-    if (!version) return refusal(version.error());
-    auto languages = languages_in_table(table);
-    if (!languages) return refusal(languages.error());
-    auto pictures = items_in<PackPicture>(table, "picture", pack_limits.pictures, picture_in);
-    if (!pictures) return refusal(pictures.error());
-    if (pictures->empty()) return wrong(FindingKind::toml_missing, table, "[[picture]]");
-    auto sounds = items_in<PackSound>(table, "sound", pack_limits.sounds, sound_in);
-    if (!sounds) return refusal(sounds.error());
-    return PackInfo{std::move(*id),       std::move(*titles),    std::move(*author),
-                    std::move(*licence),  *version_in(*version), std::move(*languages),
-                    std::move(*pictures), std::move(*sounds)};
+PackInfo info_in(const toml::table& table) {
+    check_keys(table,
+               {"id", "title", "author", "licence", "version", "languages", "picture", "sound"});
+    PackInfo info;
+    info.id = text_at(table, "id", is_id);
+    info.title = titles_in(table);
+    info.author = text_at(table, "author", is_text);
+    info.licence = text_at(table, "licence", is_text);
+    info.version = *version_in(text_at(
+        table, "version", [](const std::string& text) { return version_in(text).has_value(); }));
+    info.languages = languages_in(table);
+    info.pictures = items_in(table, "picture", pack_limits.pictures, picture_in);
+    if (info.pictures.empty()) refuse(FindingKind::toml_missing, table, "[[picture]]");
+    info.sounds = items_in(table, "sound", pack_limits.sounds, sound_in);
+    check_whole(info);
+    return info;
 }
 
 std::string quoted(const std::string& text) {
@@ -283,13 +252,12 @@ bool is_language_tag(std::string_view tag) {
     if (tag.size() > 35) return false;
     const auto hyphen = std::min(tag.find('-'), tag.size());
     const std::string_view first = tag.substr(0, hyphen);
-    if (first.size() < 2 || first.size() > 3 || !std::all_of(first.begin(), first.end(), is_letter))
+    if (first.size() < 2 || first.size() > 3 || !std::ranges::all_of(first, is_letter))
         return false;
     for (std::size_t at = hyphen; at < tag.size();) {
         const std::size_t end = std::min(tag.find('-', at + 1), tag.size());
         const std::string_view part = tag.substr(at + 1, end - at - 1);
-        if (part.empty() || part.size() > 8 ||
-            !std::all_of(part.begin(), part.end(), is_letter_or_digit))
+        if (part.empty() || part.size() > 8 || !std::ranges::all_of(part, is_letter_or_digit))
             return false;
         at = end;
     }
@@ -297,24 +265,20 @@ bool is_language_tag(std::string_view tag) {
 }
 
 PackResult<PackInfo> pack_info_of(std::string_view toml) {
-    const auto whole = [](FindingKind kind, int line) {
-        return refusal({kind, pack_table_name, line, ""});
-    };
     if (toml.size() > pack_limits.toml_bytes) {
         constexpr double megabyte = 1 << 20U;
         return refusal({FindingKind::file_too_large, pack_table_name, 0, "",
                         static_cast<double>(pack_limits.toml_bytes) / megabyte});
     }
     try {
-        const toml::table table = toml::parse(toml);
-        auto info = info_in(table);
-        if (!info) return info;
-        if (auto wrong_whole = contradiction(*info)) return refusal(*wrong_whole);
-        return info;
+        return info_in(toml::parse(toml));
+    } catch (const WrongToml& wrong) {
+        return refusal(wrong.finding);
     } catch (const toml::parse_error& problem) {
-        return whole(FindingKind::toml_syntax, static_cast<int>(problem.source().begin.line));
+        return refusal({FindingKind::toml_syntax, pack_table_name,
+                        static_cast<int>(problem.source().begin.line)});
     } catch (const std::exception&) {
-        return whole(FindingKind::toml_syntax, 0);
+        return refusal({FindingKind::toml_syntax, pack_table_name});
     }
 }
 
@@ -342,8 +306,8 @@ std::string text_of(const PackVersion& version) {
 
 const std::string& title_in(const PackInfo& info, const std::string& language) {
     const auto of = [&](const std::string& wanted) {
-        return std::find_if(info.title.begin(), info.title.end(), [&](const LanguageText& title) {
-            return folded(title.language) == folded(wanted);
+        return std::ranges::find_if(info.title, [&](const LanguageText& title) {
+            return in_small_letters(title.language) == in_small_letters(wanted);
         });
     };
     if (const auto found = of(language); found != info.title.end()) return found->text;

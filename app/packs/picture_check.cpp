@@ -1,13 +1,11 @@
-#include "app/packs/picture_check.h"
-
 #include "app/decode/image_layers.h"
 #include "app/decode/map_svg.h"
 #include "app/decode/svg_survey.h"
 #include "app/packs/tactile_spacing.h"
+#include "app/packs/unpack_work.h"
 #include "config/types/map_bytes.h"
 #include "vision/simplify/detail_limits.h"
 
-#include <algorithm>
 #include <set>
 
 namespace touchline {

@@ -1,6 +1,6 @@
 #include "app/packs/plain_names.h"
 
-#include "app/packs/pack_limits.h"
+#include "app/decode/one_line.h"
 
 #include <algorithm>
 #include <array>
@@ -15,8 +15,8 @@ bool is_plain(char c) {
 
 bool is_plain_part(std::string_view part) {
     const auto is_open = [](char c) { return c == '.' || c == ' '; };
-    return !part.empty() && std::all_of(part.begin(), part.end(), is_plain) &&
-           !is_open(part.front()) && !is_open(part.back());
+    return !part.empty() && std::ranges::all_of(part, is_plain) && !is_open(part.front()) &&
+           !is_open(part.back());
 }
 
 /// True for a Windows drive, too.
@@ -37,30 +37,43 @@ std::string_view ending_of(std::string_view name) {
 }
 
 bool begins_with(std::span<const std::byte> bytes, std::size_t at, std::string_view mark) {
-    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    return text.size() >= at && text.substr(at).starts_with(mark);
+    return bytes.size() >= at && as_text(bytes).substr(at).starts_with(mark);
 }
 
 /// Recognizes zip, gzip, bzip2, xz, zstd, lz4, 7z, RAR, cab, cpio, ar, lzip and tar, under any
 /// name.
 bool is_archive(std::span<const std::byte> bytes) {
     using namespace std::string_view_literals;
-    constexpr std::array marks{"PK\3\4"sv,
-                               "PK\5\6"sv,
-                               "\x1f\x8b"sv,
-                               "BZh"sv,
-                               "\xfd\x37zXZ"sv,
-                               "\x28\xb5\x2f\xfd"sv,
-                               "\x04\x22\x4d\x18"sv,
-                               "7z\xbc\xaf"sv,
-                               "Rar!"sv,
-                               "MSCF"sv,
-                               "07070"sv,
-                               "!<arch>"sv,
-                               "LZIP"sv};
+    constexpr auto marks = std::to_array<std::string_view>(
+        {"PK\3\4"sv, "PK\5\6"sv, "\x1f\x8b"sv, "BZh"sv, "\xfd\x37zXZ"sv, "\x28\xb5\x2f\xfd"sv,
+         "\x04\x22\x4d\x18"sv, "7z\xbc\xaf"sv, "Rar!"sv, "MSCF"sv, "07070"sv, "!<arch>"sv,
+         "LZIP"sv});
     return begins_with(bytes, 257, "ustar") ||
-           std::any_of(marks.begin(), marks.end(),
-                       [bytes](std::string_view mark) { return begins_with(bytes, 0, mark); });
+           std::ranges::any_of(
+               marks, [bytes](std::string_view mark) { return begins_with(bytes, 0, mark); });
+}
+
+/// In the unit of the sentence.
+double limit_of(FindingKind kind) {
+    constexpr double megabyte = 1 << 20U;
+    switch (kind) {
+        case FindingKind::zip_too_large:
+            return static_cast<double>(pack_limits.zip_bytes) / megabyte;
+        case FindingKind::too_many_files:
+            return static_cast<double>(pack_limits.files);
+        case FindingKind::file_too_large:
+            return static_cast<double>(pack_limits.file_bytes) / megabyte;
+        case FindingKind::all_too_large:
+            return static_cast<double>(pack_limits.all_bytes) / megabyte;
+        case FindingKind::name_too_long:
+            return static_cast<double>(pack_limits.name_bytes);
+        case FindingKind::too_deep:
+            return static_cast<double>(pack_limits.folders);
+        case FindingKind::sound_long:
+            return pack_limits.sound_s;
+        default:
+            return 0.0;
+    }
 }
 
 }  // namespace
@@ -79,15 +92,12 @@ std::optional<FindingKind> trouble_with_name(std::string_view name) {
     return std::nullopt;
 }
 
-std::string folded(std::string_view name) {
-    std::string made(name);
-    for (char& c : made)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return made;
+tl::unexpected<PackFinding> refused(FindingKind kind, const std::string& file) {
+    return refusal({kind, file, 0, "", limit_of(kind)});
 }
 
 PackFileKind kind_by_name(std::string_view name) {
-    const std::string ending = folded(ending_of(name));
+    const std::string ending = in_small_letters(ending_of(name));
     if (ending == ".svg") return PackFileKind::picture;
     if (ending == ".wav" || ending == ".ogg" || ending == ".oga" || ending == ".opus" ||
         ending == ".flac")
@@ -107,8 +117,7 @@ std::optional<FindingKind> trouble_with_file(std::string_view name,
 }
 
 bool is_litter(std::string_view name) {
-    const auto slash = name.rfind('/');
-    const std::string_view last = slash == std::string_view::npos ? name : name.substr(slash + 1);
+    const std::string_view last = name.substr(name.rfind('/') + 1);  // npos + 1 is 0
     return name.starts_with("__MACOSX/") || last == ".DS_Store" || last == "Thumbs.db" ||
            last == "desktop.ini";
 }

@@ -2,7 +2,7 @@
 // Threads: pure functions.
 #pragma once
 
-#include "app/packs/pack_finding.h"
+#include "app/packs/pack.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -18,8 +18,9 @@ namespace touchline {
 /// is plain. The bytes may be anything, NUL too. O(n).
 [[nodiscard]] std::optional<FindingKind> trouble_with_name(std::string_view name);
 
-/// Makes two names equal if they differ only in capitals. O(n).
-[[nodiscard]] std::string folded(std::string_view name);
+/// A refusal of a file, or of the pack if `file` is empty, with the number that its sentence
+/// mentions: the limit in pack_limits that was exceeded; 0 for other kinds.
+[[nodiscard]] tl::unexpected<PackFinding> refused(FindingKind kind, const std::string& file = {});
 
 enum class PackFileKind : std::uint8_t { table, picture, sound, text, other };
 

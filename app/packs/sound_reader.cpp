@@ -1,13 +1,12 @@
-#include "app/packs/sound_reader.h"
-
-#include "app/packs/pack_limits.h"
+#include "app/decode/one_line.h"
+#include "app/packs/plain_names.h"
+#include "app/packs/unpack_work.h"
+#include "app/process/owned.h"
 #include "audio-cues/speech/resampler.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
-#include <memory>
 #include <string_view>
 
 #include <sndfile.h>
@@ -56,22 +55,13 @@ sf_count_t tell(void* user) {
     return memory_of(user).at;
 }
 
-struct CloseSound {
-    void operator()(SNDFILE* file) const { sf_close(file); }
-};
-
 /// True for these forms only: libsndfile knows thirty more, which never reach it.
 bool is_known(std::span<const std::byte> bytes) {
     using namespace std::string_view_literals;
-    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    const std::string_view text = as_text(bytes);
     const bool is_wav =
         text.starts_with("RIFF"sv) && text.size() >= 12 && text.substr(8).starts_with("WAVE"sv);
     return is_wav || text.starts_with("OggS"sv) || text.starts_with("fLaC"sv);
-}
-
-tl::unexpected<PackFinding> refused_sound(FindingKind kind) {
-    const double value = kind == FindingKind::sound_long ? pack_limits.sound_s : 0.0;
-    return refusal({kind, "", 0, "", value});
 }
 
 /// Mixes down to mono. Does not trust the length that the file claims.
@@ -91,10 +81,10 @@ PackResult<std::vector<float>> all_samples(SNDFILE* file, const SF_INFO& info) {
             const float sample = sum / static_cast<float>(info.channels);
             mono.push_back(std::isfinite(sample) ? std::clamp(sample, -1.0F, 1.0F) : 0.0F);
         }
-        if (mono.size() > most) return refused_sound(FindingKind::sound_long);
+        if (mono.size() > most) return refused(FindingKind::sound_long);
     }
     if (mono.empty() || sf_error(file) != SF_ERR_NO_ERROR)
-        return refused_sound(FindingKind::sound_broken);
+        return refused(FindingKind::sound_broken);
     return mono;
 }
 
@@ -110,15 +100,15 @@ std::vector<std::int16_t> whole_numbers(const std::vector<float>& samples) {
 }  // namespace
 
 PackResult<ReadSound> read_sound(std::span<const std::byte> bytes) {
-    if (!is_known(bytes)) return refused_sound(FindingKind::sound_unknown);
+    if (!is_known(bytes)) return refused(FindingKind::sound_unknown);
     Memory memory{bytes};
     SF_VIRTUAL_IO io{length, seek, read, write, tell};
     SF_INFO info{};
-    const std::unique_ptr<SNDFILE, CloseSound> file(sf_open_virtual(&io, SFM_READ, &info, &memory));
-    if (!file) return refused_sound(FindingKind::sound_broken);
+    const Owned<SNDFILE, sf_close> file(sf_open_virtual(&io, SFM_READ, &info, &memory));
+    if (!file) return refused(FindingKind::sound_broken);
     const bool is_usual = info.channels >= 1 && info.channels <= 2 &&
                           info.samplerate >= least_rate_Hz && info.samplerate <= most_rate_Hz;
-    if (!is_usual) return refused_sound(FindingKind::sound_form);
+    if (!is_usual) return refused(FindingKind::sound_form);
     const auto mono = all_samples(file.get(), info);
     if (!mono) return refusal(mono.error());
     ReadSound sound{whole_numbers(at_frame_rate(*mono, info.samplerate)), {}};

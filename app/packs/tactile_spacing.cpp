@@ -102,9 +102,8 @@ struct Nearness {
 };
 
 bool is_at_meeting(const std::vector<Position>& meetings, Position place) {
-    return std::any_of(meetings.begin(), meetings.end(), [place](Position meeting) {
-        return norm(place - meeting) < meeting_reach_m;
-    });
+    return std::ranges::any_of(
+        meetings, [place](Position meeting) { return norm(place - meeting) < meeting_reach_m; });
 }
 
 }  // namespace
@@ -130,9 +129,8 @@ std::vector<NearLines> near_lines(const TactileMap& map, std::size_t most) {
         auto& meetings = found[{a.outline, b.outline}].meetings;
         if (meetings.size() == most_meetings) return;
         // Keeps one per place: a line that two outlines share would give thousands.
-        const bool is_new = std::none_of(meetings.begin(), meetings.end(), [&](Position meeting) {
-            return norm(meeting - a.place) < 2.0 * step_m;
-        });
+        const bool is_new = std::ranges::none_of(
+            meetings, [&](Position meeting) { return norm(meeting - a.place) < 2.0 * step_m; });
         if (is_new) meetings.push_back(a.place);
     });
     every_near_pair([](auto& found, const Sample& a, const Sample& b, double gap_m) {
@@ -145,8 +143,8 @@ std::vector<NearLines> near_lines(const TactileMap& map, std::size_t most) {
     for (const auto& [pair, nearness] : pairs)
         if (nearness.gap_m < least_gap_m && nearness.meetings.size() < most_meetings)
             near.push_back({pair.first, pair.second, nearness.gap_m});
-    std::sort(near.begin(), near.end(),
-              [](const NearLines& a, const NearLines& b) { return a.gap_m < b.gap_m; });
+    std::ranges::sort(near,
+                      [](const NearLines& a, const NearLines& b) { return a.gap_m < b.gap_m; });
     if (near.size() > most) near.resize(most);
     return near;
 }
@@ -178,7 +176,7 @@ int most_parts(int difficulty) {
 
 bool is_near_rim(const Outline& outline, const Area& area) {
     constexpr double rounding_m = 1e-9;
-    return std::any_of(outline.points.begin(), outline.points.end(), [&](Position p) {
+    return std::ranges::any_of(outline.points, [&](Position p) {
         return std::abs(p.x) > area.width_m / 2.0 - least_rim_m + rounding_m ||
                std::abs(p.y) > area.height_m / 2.0 - least_rim_m + rounding_m;
     });

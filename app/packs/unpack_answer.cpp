@@ -1,7 +1,6 @@
 #include "app/packs/unpack_answer.h"
 
 #include "app/decode/one_line.h"
-#include "app/packs/pack_limits.h"
 #include "app/packs/plain_names.h"
 #include "config/types/fields.h"
 #include "config/types/utf8.h"
@@ -31,12 +30,6 @@ void fields(Fields& f, Finding& finding) {
     f.template text<std::uint16_t>(finding.what);
 }
 
-PackFinding made_fit(PackFinding finding) {
-    finding.file = fit_for_a_line(finding.file);
-    finding.what = fit_for_a_line(finding.what);
-    return finding;
-}
-
 /// True for text that fits a line; no honest worker sends any other.
 bool is_fit(const std::string& text) {
     return text.size() <= most_finding_text_bytes && is_utf8(text) &&
@@ -45,18 +38,10 @@ bool is_fit(const std::string& text) {
 
 std::optional<PackFinding> take_finding(ByteReader& bytes) {
     PackFinding finding;
-    fields(bytes, finding);
-    FieldCheck check;
-    fields(check, finding);
     const bool is_sound =
-        bytes.is_good() && check.is_sound() && is_fit(finding.file) && is_fit(finding.what);
+        read_checked(bytes, finding, [](auto& f, auto& found) { fields(f, found); }) &&
+        is_fit(finding.file) && is_fit(finding.what);
     return is_sound ? std::optional(std::move(finding)) : std::nullopt;
-}
-
-void put(ByteWriter& bytes, const PackFile& entry) {
-    bytes.text<std::uint16_t>(entry.name);
-    bytes.number(static_cast<std::uint32_t>(entry.bytes.size()));
-    bytes.raw(entry.bytes);
 }
 
 std::optional<PackFile> take_entry(ByteReader& bytes) {
@@ -79,10 +64,16 @@ std::vector<std::byte> bytes_of(const UnpackAnswer& answer) {
     bytes.number(static_cast<std::uint16_t>(findings));
     bytes.number(static_cast<std::uint16_t>(answer.entries.size()));
     for (std::size_t i = 0; i < findings; ++i) {
-        const PackFinding finding = made_fit(answer.findings[i]);
+        PackFinding finding = answer.findings[i];
+        finding.file = fit_for_a_line(finding.file);
+        finding.what = fit_for_a_line(finding.what);
         fields(bytes, finding);
     }
-    for (const PackFile& entry : answer.entries) put(bytes, entry);
+    for (const PackFile& entry : answer.entries) {
+        bytes.text<std::uint16_t>(entry.name);
+        bytes.count(entry.bytes.size());
+        bytes.raw(entry.bytes);
+    }
     return bytes.take();
 }
 
@@ -106,7 +97,7 @@ Result<UnpackAnswer> unpack_answer_of(std::span<const std::byte> all) {
     std::set<std::string> names;
     for (int i = 0; i < entries; ++i) {
         auto entry = take_entry(bytes);
-        if (!entry || !names.insert(folded(entry->name)).second) return wrong;
+        if (!entry || !names.insert(in_small_letters(entry->name)).second) return wrong;
         answer.entries.push_back(std::move(*entry));
     }
     if (!bytes.is_at_end()) return wrong;

@@ -1,4 +1,5 @@
-// The answer of touchline-unpack, as bytes. No reader trusts it.
+// The answer of touchline-unpack, as bytes; the files that it makes a zip file of come to it in the
+// same form. No reader trusts it.
 //
 //   header    magic u32, layout u8, difficulty u8, findings u16, entries u16
 //   findings  kind u8, line i32, value f64, file and what: bytes u16, text
@@ -22,6 +23,12 @@ struct UnpackAnswer {
 
     friend bool operator==(const UnpackAnswer&, const UnpackAnswer&) = default;
 };
+
+/// The names of entries that are no files of a pack.
+inline constexpr const char* map_entry = "map";
+inline constexpr const char* sound_entry = "pcm";
+inline constexpr const char* picture_entry = "svg";
+inline constexpr const char* zip_entry = "zip";
 
 inline constexpr std::size_t most_findings = 200;
 inline constexpr std::size_t most_finding_text_bytes = 300;

@@ -1,9 +1,7 @@
 #include "app/packs/unpacking.h"
 
-#include "app/packs/pack_limits.h"
-#include "app/packs/pack_toml.h"
-#include "app/packs/picture_check.h"
 #include "app/packs/plain_names.h"
+#include "app/packs/unpack_answer.h"
 #include "app/process/memory.h"
 #include "app/process/places.h"
 #include "app/sandbox/worker.h"
@@ -38,7 +36,6 @@ PackResult<UnpackAnswer> worked(const std::vector<std::string>& words,
     return std::move(*answer);
 }
 
-/// The one entry that must exist.
 const PackFile* only_entry(const UnpackAnswer& answer, std::string_view name) {
     const bool is_it = answer.entries.size() == 1 && answer.entries.front().name == name;
     return is_it ? &answer.entries.front() : nullptr;
@@ -48,8 +45,7 @@ void name_file(std::vector<PackFinding>& findings, const std::string& file) {
     for (PackFinding& finding : findings) finding.file = file;
 }
 
-template <class T>
-PackResult<T> of_file(PackFinding finding, const PackFile& file) {
+tl::unexpected<PackFinding> of_file(PackFinding finding, const PackFile& file) {
     finding.file = file.name;
     return refusal(std::move(finding));
 }
@@ -57,25 +53,33 @@ PackResult<T> of_file(PackFinding finding, const PackFile& file) {
 }  // namespace
 
 PackResult<std::vector<PackFile>> unpack_zip(std::span<const std::byte> zip) {
-    constexpr double megabyte = 1 << 20U;
-    if (zip.size() > pack_limits.zip_bytes)
-        return refusal({FindingKind::zip_too_large, "", 0, "",
-                        static_cast<double>(pack_limits.zip_bytes) / megabyte});
+    if (zip.size() > pack_limits.zip_bytes) return refused(FindingKind::zip_too_large);
     auto answer = worked({"zip"}, zip);
     if (!answer) return refusal(answer.error());
-    std::sort(answer->entries.begin(), answer->entries.end(),
-              [](const PackFile& a, const PackFile& b) { return a.name < b.name; });
+    std::ranges::sort(answer->entries,
+                      [](const PackFile& a, const PackFile& b) { return a.name < b.name; });
     return std::move(answer->entries);
+}
+
+PackResult<std::vector<std::byte>> zip_of(const Pack& pack) {
+    const std::vector<std::byte> files = bytes_of(UnpackAnswer{0, {}, pack.files});
+    if (files.size() > pack_limits.zip_bytes) return refused(FindingKind::zip_too_large);
+    auto answer = worked({"files"}, files);
+    if (!answer) return refusal(answer.error());
+    const PackFile* const zip = only_entry(*answer, zip_entry);
+    if (zip == nullptr) return refusal({FindingKind::harmful});
+    if (zip->bytes.size() > pack_limits.zip_bytes) return refused(FindingKind::zip_too_large);
+    return zip->bytes;
 }
 
 PackResult<PackSoundLook> open_sound(const PackFile& file) {
     auto answer = worked({"sound"}, file.bytes);
-    if (!answer) return of_file<PackSoundLook>(answer.error(), file);
+    if (!answer) return of_file(answer.error(), file);
     const PackFile* pcm = only_entry(*answer, sound_entry);
     const std::size_t count = pcm == nullptr ? 0 : pcm->bytes.size() / sizeof(std::int16_t);
     constexpr std::size_t most = 48000 * static_cast<std::size_t>(pack_limits.sound_s);
     if (count == 0 || count > most || pcm->bytes.size() % sizeof(std::int16_t) != 0)
-        return of_file<PackSoundLook>({FindingKind::sound_broken}, file);
+        return of_file({FindingKind::sound_broken}, file);
     PackSoundLook look{std::vector<float>(count), std::move(answer->findings)};
     for (std::size_t i = 0; i < count; ++i) {
         std::int16_t sample = 0;
@@ -91,11 +95,11 @@ PackResult<PackPictureLook> open_picture(const PackFile& file,
     std::vector<std::string> words{"picture"};
     words.insert(words.end(), languages.begin(), languages.end());
     auto answer = worked(words, file.bytes);
-    if (!answer) return of_file<PackPictureLook>(answer.error(), file);
+    if (!answer) return of_file(answer.error(), file);
     const PackFile* map_bytes = only_entry(*answer, map_entry);
     auto map =
         map_bytes == nullptr ? Result<TactileMap>(failure("no map")) : map_of(map_bytes->bytes);
-    if (!map) return of_file<PackPictureLook>({FindingKind::harmful}, file);
+    if (!map) return of_file({FindingKind::harmful}, file);
     PackPictureLook look{std::move(*map), std::nullopt, std::move(answer->findings)};
     if (answer->difficulty > 0) look.difficulty = answer->difficulty;
     name_file(look.findings, file.name);
@@ -104,9 +108,9 @@ PackResult<PackPictureLook> open_picture(const PackFile& file,
 
 PackResult<PackFile> as_image_layers(const PackFile& file, const std::string& language) {
     auto answer = worked({"layers", language}, file.bytes);
-    if (!answer) return of_file<PackFile>(answer.error(), file);
+    if (!answer) return of_file(answer.error(), file);
     const PackFile* made = only_entry(*answer, picture_entry);
-    if (made == nullptr) return of_file<PackFile>({FindingKind::harmful}, file);
+    if (made == nullptr) return of_file({FindingKind::harmful}, file);
     return PackFile{file.name, made->bytes};
 }
 

@@ -1,4 +1,4 @@
-// Opens untrusted packs by touchline-unpack, which can do nothing else.
+// Opens untrusted packs, and writes zip files, by touchline-unpack, which can do nothing else.
 // Threads: any, each call by itself; a call waits for its worker, at most its deadline.
 #pragma once
 
@@ -15,6 +15,11 @@ namespace touchline {
 
 /// The files of a zip file, sorted by name, without litter and without a single folder around all.
 [[nodiscard]] PackResult<std::vector<PackFile>> unpack_zip(std::span<const std::byte> zip);
+
+/// The pack as a zip file, with names in order and no dates. The same pack gives the same bytes,
+/// and reading them gives the same files, bit for bit. Fails if it is larger than a zip file may
+/// be. O(bytes).
+[[nodiscard]] PackResult<std::vector<std::byte>> zip_of(const Pack& pack);
 
 /// A recording.
 struct PackSoundLook {

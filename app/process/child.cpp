@@ -6,7 +6,6 @@
 #include <cerrno>
 #include <cmath>
 #include <csignal>
-#include <cstdint>
 #include <cstring>
 #include <string_view>
 
@@ -97,7 +96,6 @@ bool is_of_one_name(std::string_view a, std::string_view b) {
     return a.substr(0, a.find('=')) == b.substr(0, b.find('='));
 }
 
-/// Our environment, overridden by `settings`.
 std::vector<std::string> surroundings_with(const std::vector<std::string>& settings) {
     std::vector<std::string> all = settings;
     for (char** ours = environ; *ours != nullptr; ++ours) {

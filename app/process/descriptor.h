@@ -11,6 +11,9 @@
 
 namespace touchline {
 
+/// What fstat() tells.
+using FileStatus = struct stat;
+
 /// Closed with its owner.
 class Descriptor {
   public:
@@ -54,8 +57,7 @@ class Descriptor {
 
 /// True for a file or memory without bytes, or one whose size is unknown.
 [[nodiscard]] inline bool is_empty(const Descriptor& file) {
-    struct stat status {};
-
+    FileStatus status{};
     return ::fstat(file.number(), &status) != 0 || status.st_size <= 0;
 }
 

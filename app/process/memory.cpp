@@ -22,9 +22,7 @@ tl::unexpected<Error> memory_failure(const std::string& what) {
 /// The size of memory that has at least these seals; 0 for anything else.
 std::size_t sealed_size(const Descriptor& memory, int seals) {
     const int found = ::fcntl(memory.number(), F_GET_SEALS);
-
-    struct stat status {};
-
+    FileStatus status{};
     if (found < 0 || (found & seals) != seals || ::fstat(memory.number(), &status) != 0 ||
         status.st_size <= 0) {
         return 0;

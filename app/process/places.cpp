@@ -4,6 +4,16 @@
 #include <system_error>
 
 namespace touchline {
+namespace {
+
+std::filesystem::path user_folder(const char* variable, const char* in_home, const char* without) {
+    const std::string chosen = environment(variable);
+    if (!chosen.empty()) return chosen;
+    const std::string home = environment("HOME");
+    return home.empty() ? std::filesystem::path(without) : std::filesystem::path(home) / in_home;
+}
+
+}  // namespace
 
 std::string environment(const char* name) {
     const char* const value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe)
@@ -27,18 +37,11 @@ std::filesystem::path installed_place(const std::string& beside_program,
 }
 
 std::filesystem::path user_settings_folder() {
-    const std::string chosen = environment("XDG_CONFIG_HOME");
-    if (!chosen.empty()) return chosen;
-    const std::string home = environment("HOME");
-    return home.empty() ? std::filesystem::path("/etc") : std::filesystem::path(home) / ".config";
+    return user_folder("XDG_CONFIG_HOME", ".config", "/etc");
 }
 
 std::filesystem::path user_data_folder() {
-    const std::string chosen = environment("XDG_DATA_HOME");
-    if (!chosen.empty()) return chosen;
-    const std::string home = environment("HOME");
-    return home.empty() ? std::filesystem::path("/var/lib")
-                        : std::filesystem::path(home) / ".local" / "share";
+    return user_folder("XDG_DATA_HOME", ".local/share", "/var/lib");
 }
 
 std::string companion(const std::string& name) {

@@ -2,6 +2,7 @@
 // Threads: constant data.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -29,64 +30,25 @@ struct WorkerLimits {
 /// codec has one per processor, and three more workers may start beside it.
 inline constexpr unsigned most_worker_threads = 64;
 
-[[nodiscard]] constexpr WorkerLimits limits_of(WorkerKind kind) {
+/// In the order of the kinds: input, memory, processor time, output, deadline, threads, fonts.
+inline constexpr std::array<WorkerLimits, worker_kind_count> limits_of_kinds = [] {
     constexpr std::size_t MiB = std::size_t{1} << 20U;
-    switch (kind) {
-        case WorkerKind::raster:
-            return {.input_bytes = 200 * MiB,
-                    .address_space_bytes = 1024 * MiB,
-                    .cpu_s = 8,
-                    .file_bytes = 200 * MiB,
-                    .deadline_s = 10.0};
-        case WorkerKind::heif:
-            return {.input_bytes = 64 * MiB,
-                    .address_space_bytes = 1536 * MiB,  // all of a picture, twice, and stacks
-                    .cpu_s = 12,
-                    .file_bytes = 200 * MiB,
-                    .deadline_s = 15.0,
-                    .has_threads = true};
-        case WorkerKind::document:
-            return {.input_bytes = 128 * MiB,
-                    .address_space_bytes = 1024 * MiB,
-                    .cpu_s = 8,
-                    .file_bytes = 200 * MiB,
-                    .deadline_s = 10.0,
-                    .has_threads = true,  // Pango needs them to match fonts
-                    .reads_fonts = true};
-        case WorkerKind::ocr:
-            return {.input_bytes = 200 * MiB,
-                    .address_space_bytes = 1024 * MiB,
-                    .cpu_s = 30,
-                    .file_bytes = 16 * MiB,
-                    .deadline_s = 40.0};
-        case WorkerKind::speech:
-            return {.input_bytes = MiB,
-                    .address_space_bytes = 256 * MiB,
-                    .cpu_s = 0,
-                    .file_bytes = 0,  // it answers on its socket
-                    .deadline_s = 0.0};
-        case WorkerKind::pack:
-            return {.input_bytes = 64 * MiB,
-                    .address_space_bytes = 512 * MiB,
-                    .cpu_s = 6,
-                    .file_bytes = 112 * MiB,
-                    .deadline_s = 8.0};
-        case WorkerKind::trace:
-            return {.input_bytes = 256 * MiB,
-                    .address_space_bytes = 1024 * MiB,
-                    .cpu_s = 8,
-                    .file_bytes = 200 * MiB,
-                    .deadline_s = 10.0,
-                    .has_threads = true};
-        case WorkerKind::figure:
-            return {.input_bytes = 320 * MiB,
-                    .address_space_bytes = 2048 * MiB,
-                    .cpu_s = 60,
-                    .file_bytes = 16 * MiB,
-                    .deadline_s = 60.0,
-                    .has_threads = true};
-    }
-    return {};
+    return std::array<WorkerLimits, worker_kind_count>{{
+        {200 * MiB, 1024 * MiB, 8, 200 * MiB, 10.0, false, false},
+        {64 * MiB, 1536 * MiB, 12, 200 * MiB, 15.0, true, false},  // all of it, twice, and stacks
+        {128 * MiB, 1024 * MiB, 8, 200 * MiB, 10.0, true, true},   // Pango matches fonts in threads
+        {200 * MiB, 1024 * MiB, 30, 16 * MiB, 40.0, false, false},
+        {MiB, 256 * MiB, 0, 0, 0.0, false, false},  // speech answers on its socket
+        {64 * MiB, 512 * MiB, 6, 112 * MiB, 8.0, false, false},
+        {256 * MiB, 1024 * MiB, 8, 200 * MiB, 10.0, true, false},
+        {320 * MiB, 2048 * MiB, 60, 16 * MiB, 60.0, true, false},
+    }};
+}();
+
+/// Nothing is allowed for what is no kind.
+[[nodiscard]] constexpr WorkerLimits limits_of(WorkerKind kind) {
+    const auto index = static_cast<std::size_t>(kind);
+    return index < limits_of_kinds.size() ? limits_of_kinds[index] : WorkerLimits{};
 }
 
 }  // namespace touchline

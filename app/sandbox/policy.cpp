@@ -17,30 +17,17 @@
 namespace touchline {
 namespace {
 
-constexpr std::array plain_calls{SCMP_SYS(read),
-                                 SCMP_SYS(pread64),
-                                 SCMP_SYS(readv),
-                                 SCMP_SYS(write),
-                                 SCMP_SYS(pwrite64),
-                                 SCMP_SYS(writev),
-                                 SCMP_SYS(lseek),
-                                 SCMP_SYS(ftruncate),
-                                 SCMP_SYS(close),
-                                 SCMP_SYS(fstat),
-                                 SCMP_SYS(brk),
-                                 SCMP_SYS(munmap),
-                                 SCMP_SYS(mremap),
-                                 SCMP_SYS(madvise),
-                                 SCMP_SYS(futex),
-                                 SCMP_SYS(exit),
-                                 SCMP_SYS(exit_group),
-                                 SCMP_SYS(rt_sigreturn),
-                                 SCMP_SYS(getrandom),
-                                 SCMP_SYS(clock_gettime),
-                                 SCMP_SYS(gettimeofday),
-                                 SCMP_SYS(sched_yield),
-                                 SCMP_SYS(rt_sigprocmask),
-                                 SCMP_SYS(sched_getaffinity)};
+/// Of every process that is shut in.
+constexpr std::array plain_calls{
+    SCMP_SYS(read),         SCMP_SYS(write),     SCMP_SYS(close),        SCMP_SYS(lseek),
+    SCMP_SYS(fstat),        SCMP_SYS(brk),       SCMP_SYS(munmap),       SCMP_SYS(mremap),
+    SCMP_SYS(madvise),      SCMP_SYS(futex),     SCMP_SYS(exit),         SCMP_SYS(exit_group),
+    SCMP_SYS(rt_sigreturn), SCMP_SYS(getrandom), SCMP_SYS(clock_gettime)};
+
+constexpr std::array calls_of_workers{
+    SCMP_SYS(pread64),     SCMP_SYS(readv),          SCMP_SYS(pwrite64),
+    SCMP_SYS(writev),      SCMP_SYS(ftruncate),      SCMP_SYS(gettimeofday),
+    SCMP_SYS(sched_yield), SCMP_SYS(rt_sigprocmask), SCMP_SYS(sched_getaffinity)};
 
 /// fontconfig, GLib, libexiv2, iconv and sorting try these, and go on without them.
 constexpr std::array files_of_libraries{SCMP_SYS(readlink),   SCMP_SYS(statx),
@@ -48,12 +35,7 @@ constexpr std::array files_of_libraries{SCMP_SYS(readlink),   SCMP_SYS(statx),
                                         SCMP_SYS(getdents64), SCMP_SYS(sysinfo)};
 
 /// The flags of openat2 lie in memory, where no filter sees them; Landlock judges those calls.
-constexpr std::array calls_of_reading_beneath{
-    SCMP_SYS(openat2),      SCMP_SYS(getdents64), SCMP_SYS(read),         SCMP_SYS(write),
-    SCMP_SYS(close),        SCMP_SYS(lseek),      SCMP_SYS(fstat),        SCMP_SYS(brk),
-    SCMP_SYS(munmap),       SCMP_SYS(mremap),     SCMP_SYS(madvise),      SCMP_SYS(futex),
-    SCMP_SYS(exit),         SCMP_SYS(exit_group), SCMP_SYS(rt_sigreturn), SCMP_SYS(getrandom),
-    SCMP_SYS(clock_gettime)};
+constexpr std::array calls_of_reading_beneath{SCMP_SYS(openat2), SCMP_SYS(getdents64)};
 
 constexpr std::array<const char*, 5> system_folders{"/usr", "/lib", "/etc/fonts",
                                                     "/etc/ld.so.cache", "/var/cache/fontconfig"};
@@ -84,14 +66,16 @@ MaskedArgument equals(unsigned argument, std::uint64_t value) {
     return {argument, ~std::uint64_t{0}, value};
 }
 
-/// This C library's form of fstat(): a descriptor, no path.
-void allow_looking_at_descriptors(Rules& rules) {
+/// What every process that is shut in may call, and `further`; memory only without code in it.
+Rules rules_allowing(std::span<const int> further) {
+    Rules rules;
+    for (const int call : plain_calls) allow(rules, call);
+    for (const int call : further) allow(rules, call);
+    // This C library's form of fstat(): a descriptor, no path.
     allow(rules, SCMP_SYS(newfstatat), has(3, AT_EMPTY_PATH));
-}
-
-void allow_memory_without_code(Rules& rules) {
     allow(rules, SCMP_SYS(mmap), has_none(2, PROT_EXEC));
     allow(rules, SCMP_SYS(mprotect), has_none(2, PROT_EXEC));
+    return rules;
 }
 
 /// Allows threads of this process, but no new process.
@@ -123,28 +107,17 @@ void refuse_what_libraries_try(Rules& rules, const WorkerLimits& limits) {
     limits.reads_fonts ? allow_reading_fonts(rules) : refuse(rules, SCMP_SYS(openat), EACCES);
 }
 
-void refuse_threads(Rules& rules) {
-    refuse(rules, SCMP_SYS(clone3), EAGAIN);
-}
-
 }  // namespace
 
 std::vector<CallRule> call_rules(const WorkerLimits& limits) {
-    Rules rules;
-    for (const int call : plain_calls) allow(rules, call);
-    allow_looking_at_descriptors(rules);
-    allow_memory_without_code(rules);
+    Rules rules = rules_allowing(calls_of_workers);
     refuse_what_libraries_try(rules, limits);
-    limits.has_threads ? allow_threads(rules) : refuse_threads(rules);
+    limits.has_threads ? allow_threads(rules) : refuse(rules, SCMP_SYS(clone3), EAGAIN);
     return rules;
 }
 
 std::vector<CallRule> call_rules_of_reading_beneath() {
-    Rules rules;
-    for (const int call : calls_of_reading_beneath) allow(rules, call);
-    allow_looking_at_descriptors(rules);
-    allow_memory_without_code(rules);
-    return rules;
+    return rules_allowing(calls_of_reading_beneath);
 }
 
 std::span<const char* const> folders_of_the_system() {

@@ -1,5 +1,5 @@
 // What each kind of worker may do, as values: which calls, which files, how much. This file asks
-// nothing of the kernel; seccomp.cpp, landlock.cpp and sandbox.cpp do.
+// nothing of the kernel; fences.cpp and sandbox.cpp do.
 // Threads: constant data and pure functions.
 #pragma once
 

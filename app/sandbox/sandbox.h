@@ -15,6 +15,11 @@ inline constexpr int worker_input = 3;
 inline constexpr int worker_output = 4;
 inline constexpr int worker_descriptors = 5;
 
+/// When the machine has no memory left, this process is killed before all others. Call it once, as
+/// early as possible: later no file of the system can be written. If the system refuses, the worker
+/// goes on, because its own limit of memory still holds.
+void be_killed_first();
+
 /// Call it before preparing libraries that start threads of their own: Landlock binds only the
 /// calling thread, and those it starts later. From here on the process can read the system's own
 /// files, and nothing else.
@@ -32,7 +37,6 @@ inline constexpr int worker_descriptors = 5;
                                                  const WorkerLimits& limits);
 
 /// The steps of both that deny, one by one, for their tests.
-[[nodiscard]] Result<void> limit_resources(const WorkerLimits& limits);
 [[nodiscard]] Result<void> deny_files(WorkerKind kind);
 [[nodiscard]] Result<void> deny_files_but_beneath(const Descriptor& folder);
 [[nodiscard]] Result<void> filter_calls(WorkerKind kind);

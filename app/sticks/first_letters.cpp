@@ -1,6 +1,7 @@
 #include "app/sticks/first_letters.h"
 
 #include "app/sticks/name_characters.h"
+#include "app/sticks/names.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -11,7 +12,6 @@
 #include <utility>
 
 #include <unicode/alphaindex.h>
-#include <unicode/coll.h>
 #include <unicode/normalizer2.h>
 #include <unicode/uchar.h>
 #include <unicode/uscript.h>
@@ -50,11 +50,7 @@ class Alphabet {
 
     /// Compared as bytes, keys order the labels as the language does.
     [[nodiscard]] std::string key_of(const std::string& label) const {
-        const auto text = icu::UnicodeString::fromUTF8(label);
-        const std::int32_t bytes = collator_->getSortKey(text, nullptr, 0);
-        std::string key(static_cast<std::size_t>(bytes), '\0');
-        collator_->getSortKey(text, reinterpret_cast<std::uint8_t*>(key.data()), bytes);
-        return key;
+        return sort_key(*collator_, label);
     }
 
   private:

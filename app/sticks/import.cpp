@@ -1,12 +1,11 @@
 #include "app/sticks/import.h"
 
+#include "app/decode/side_car.h"
 #include "app/process/memory.h"
 #include "app/sandbox/limits.h"
-#include "app/sticks/import_program.h"
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <utility>
 
 namespace touchline {
@@ -80,7 +79,7 @@ Result<Descriptor, StickRefusal> StickImport::read(const std::string& root,
 
 Result<Descriptor, StickRefusal> StickImport::read_side_car(const std::string& root,
                                                             const StickEntry& entry) {
-    return copy(root, entry, side_car_of(entry.name), most_side_car_bytes);
+    return copy(root, entry, side_car_of(entry.name), max_side_car_bytes);
 }
 
 Result<Descriptor, StickRefusal> StickImport::copy(const std::string& root, const StickEntry& entry,

@@ -6,7 +6,6 @@
 #include "app/process/child.h"
 #include "app/process/descriptor.h"
 #include "app/sticks/listing.h"
-#include "app/sticks/refusal.h"
 
 #include <cstddef>
 #include <string>
@@ -16,8 +15,6 @@ namespace touchline {
 
 /// The largest file of a kind that is read: the limit of its decoder (app/sandbox/limits.h).
 [[nodiscard]] std::size_t most_bytes_of(StickFileKind kind);
-
-inline constexpr std::size_t most_side_car_bytes = std::size_t{64} << 10U;
 
 /// By the wall clock. Listing ends by itself before.
 struct ImportDeadlines {
@@ -40,7 +37,8 @@ class StickImport {
     [[nodiscard]] Result<Descriptor, StickRefusal> read(const std::string& root,
                                                         const StickEntry& entry);
 
-    /// The same for the text that describes it (side_car_of()); no_such_file for most files.
+    /// The same for the text that describes it (app/decode/side_car.h); no_such_file for most
+    /// files.
     [[nodiscard]] Result<Descriptor, StickRefusal> read_side_car(const std::string& root,
                                                                  const StickEntry& entry);
 

@@ -1,11 +1,30 @@
 #include "app/sticks/listing.h"
 
+#include "app/decode/file_format.h"
+#include "app/decode/one_line.h"
 #include "config/types/fields.h"
 
-#include <utility>
+#include <algorithm>
+#include <array>
 
 namespace touchline {
 namespace {
+
+bool is_same(std::string_view a, std::string_view b) {
+    return in_small_letters(a) == in_small_letters(b);
+}
+
+/// The folders of Windows, macOS, Linux and Android.
+constexpr auto folders_of_systems = std::to_array<std::string_view>(
+    {"System Volume Information", "$RECYCLE.BIN", "RECYCLER", "RECYCLED", "lost+found", "__MACOSX",
+     "LOST.DIR", "FOUND.000"});
+
+/// Without its dot; empty if there is none.
+std::string_view ending_of(std::string_view name) {
+    const std::size_t dot = name.rfind('.');
+    const bool has_ending = dot != std::string_view::npos && dot > 0;
+    return has_ending ? name.substr(dot + 1) : std::string_view();
+}
 
 // mark u32, not_listed u32, is_whole u8 (every folder was looked into), entries u16; an entry: kind
 // u8, folder and name, each as u16 and bytes; last the reasons why it is not whole, u8. All
@@ -37,7 +56,60 @@ std::uint8_t flags_of(const StickRest& rest) {
                                      (rest.is_cut_short ? cut_short_flag : 0));
 }
 
+/// The rest of a sentence that begins with the file or the stick.
+std::string_view why(StickRefusal refusal) {
+    switch (refusal) {
+        case StickRefusal::gone:
+            return " cannot be read because the stick was pulled out; put it in again";
+        case StickRefusal::no_such_file:
+            return " is no longer on the stick; choose another file";
+        case StickRefusal::no_file:
+            return " is only a link or a device; choose the picture itself";
+        case StickRefusal::too_large:
+            return " is too large; save it smaller and bring it again";
+        case StickRefusal::empty:
+            return " is empty; copy it to the stick again";
+        case StickRefusal::unreadable:
+            return " cannot be read because the stick was pulled out or is damaged; put it in "
+                   "again or try another stick";
+        case StickRefusal::locked:
+            return " is locked for the user who saved it; copy it to a stick formatted as FAT or "
+                   "exFAT";
+        case StickRefusal::out_of_time:
+            return " takes too long to read; put the stick in again or try another one";
+        case StickRefusal::not_started:
+            return " cannot be read because a part of Touchline is missing; please tell the "
+                   "operator";
+    }
+    return " cannot be read; choose another one";
+}
+
 }  // namespace
+
+std::optional<StickFileKind> kind_of_name(std::string_view name) {
+    const FormatFacts* const facts = format_ending_in(in_small_letters(ending_of(name)));
+    if (facts == nullptr) return std::nullopt;
+    if (facts->format == FileFormat::office) return StickFileKind::office;
+    return facts->worker == WorkerKind::document ? StickFileKind::document : StickFileKind::picture;
+}
+
+std::optional<StickFileKind> operator_kind_of_name(std::string_view name) {
+    const std::string_view ending = ending_of(name);
+    if (is_same(ending, "zip")) return StickFileKind::pack;
+    if (is_same(ending, "onnx")) return StickFileKind::network;
+    return std::nullopt;
+}
+
+bool is_left_out(std::string_view name) {
+    // "~$letter.docx": a program's mark that it has the letter open.
+    return name.empty() || name.starts_with('.') || name.starts_with("~$") ||
+           std::ranges::any_of(folders_of_systems,
+                               [name](std::string_view folder) { return is_same(name, folder); });
+}
+
+std::string_view office_sentence() {
+    return "Office files cannot be felt; please save it as a PDF and bring that";
+}
 
 bool is_file_name(std::string_view name) {
     using namespace std::string_view_literals;
@@ -80,16 +152,18 @@ Result<StickListing> listing_of(std::span<const std::byte> all) {
     const auto count = bytes.number<std::uint16_t>();
     if (count > most_listed) return wrong;
     for (int i = 0; i < count; ++i) {
-        StickEntry entry;
-        fields(bytes, entry);
-        if (!bytes.is_good() || !is_file_name(entry.name) || !is_folder_path(entry.folder))
-            return wrong;
-        listing.entries.push_back(std::move(entry));
+        StickEntry& entry = listing.entries.emplace_back();
+        const bool is_read = read_checked(bytes, entry, [](auto& f, auto& e) { fields(f, e); });
+        if (!is_read || !is_file_name(entry.name) || !is_folder_path(entry.folder)) return wrong;
     }
     const auto flags = bytes.number<std::uint8_t>();
     if (flags > all_flags || is_whole != (flags == 0) || !bytes.is_at_end()) return wrong;
     listing.rest = rest_of(not_listed, flags);
     return listing;
+}
+
+std::string sentence_of(StickRefusal refusal, std::string_view name) {
+    return (name.empty() ? "The stick" : std::string(name)).append(why(refusal));
 }
 
 }  // namespace touchline

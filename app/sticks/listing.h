@@ -1,18 +1,40 @@
-// What a stick offers, and its form in bytes between two processes.
+// What a stick offers, in values and in the bytes that carry them between two processes, and why a
+// file or a stick is not read.
 // Threads: values and pure functions.
 #pragma once
 
-#include "app/sticks/file_kind.h"
 #include "config/types/result.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace touchline {
+
+/// picture: one image. document: pages or vectors. office: listed so that one sentence can ask for
+/// a PDF of it; it is not opened. Only for the operator: pack, of pictures; network, one that
+/// Touchline knows (app/models).
+enum class StickFileKind : std::uint8_t { picture, document, office, pack, network };
+
+inline constexpr int stick_file_kind_count = 5;
+
+/// Decides by the ending, in any case (file_formats of app/decode/file_format.h); the process that
+/// opens a file learns from its first bytes what it really is. Nothing for a file that is not
+/// offered, or that is only for the operator.
+[[nodiscard]] std::optional<StickFileKind> kind_of_name(std::string_view name);
+
+/// The same for what the operator is offered.
+[[nodiscard]] std::optional<StickFileKind> operator_kind_of_name(std::string_view name);
+
+/// True for hidden files and folders, and for those that systems put on sticks for themselves.
+[[nodiscard]] bool is_left_out(std::string_view name);
+
+/// What to do with an office file: one sentence for screen and voice.
+[[nodiscard]] std::string_view office_sentence();
 
 inline constexpr std::size_t most_listed = 10'000;
 inline constexpr std::size_t most_listed_folders = 2'000;
@@ -58,11 +80,37 @@ struct StickListing {
 /// not longer than a path may be. O(n).
 [[nodiscard]] bool is_folder_path(std::string_view path);
 
+/// The largest listing in bytes: its names and paths, and some bytes for each.
+inline constexpr std::size_t most_listing_bytes = std::size_t{9} << 20U;
+
 /// O(n). The listing must be one that listing_of() would accept.
 [[nodiscard]] std::vector<std::byte> bytes_of(const StickListing& listing);
 
 /// The reverse; the bytes are untrusted. Fails with one line unless every name is valid, every
 /// number is in its range and every byte is used. O(n).
 [[nodiscard]] Result<StickListing> listing_of(std::span<const std::byte> bytes);
+
+/// In the order of touchline-import's exit statuses.
+enum class StickRefusal : std::uint8_t {
+    gone,  // it was pulled out
+    no_such_file,
+    no_file,  // a link, a folder, a device: nothing that holds a picture
+    too_large,
+    empty,
+    unreadable,  // an error of the stick or its file system
+    locked,      // for another user, as is possible on ext4 and NTFS
+    out_of_time,
+    not_started,  // the importing program is missing, or its sandbox fails
+};
+
+inline constexpr int stick_refusal_count = 9;
+
+/// touchline-import's exit status: this and the StickRefusal; 0 if everything was written, 2 for
+/// wrong words.
+inline constexpr int first_refusal_status = 80;
+
+/// One sentence: file, why, what to do. `name` comes from names.h, in the form for the listener;
+/// empty for the stick as a whole.
+[[nodiscard]] std::string sentence_of(StickRefusal refusal, std::string_view name);
 
 }  // namespace touchline

@@ -2,7 +2,6 @@
 // Threads: pure functions. Each is O(1) except without_ending().
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>

@@ -1,5 +1,6 @@
 #include "app/sticks/name_parts.h"
 
+#include "app/decode/one_line.h"
 #include "app/sticks/name_characters.h"
 
 #include <algorithm>
@@ -11,7 +12,6 @@
 namespace touchline {
 namespace {
 
-/// Collects parts, character by character.
 class Parting {
   public:
     void add(const NameCharacter& character, bool is_before_letter) {
@@ -73,9 +73,7 @@ bool is_number_of(const NamePart& part, std::size_t least, std::size_t most) {
 
 /// At most nine digits.
 int value_of(std::string_view digits) {
-    int value = 0;
-    for (const char digit : digits) value = 10 * value + (digit - '0');
-    return value;
+    return number_in<int>(digits).value_or(0);
 }
 
 bool is_leap(int year) {
@@ -137,17 +135,11 @@ std::optional<NameMoment> day_in_three(std::span<const NamePart> parts) {
     return day_in_either_order(number(0), number(1), number(2), 3);
 }
 
-std::string small(std::string text) {
-    for (char& c : text)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return text;
-}
-
 /// True for what programs write between a date and its time, in the languages of the kiosk.
 bool is_joining(const NamePart& part) {
     constexpr std::array<std::string_view, 8> words{"at", "um",  "\u00e0", "a\u0300",
                                                     "a",  "las", "alle",   "t"};
-    return !part.is_digits && std::ranges::count(words, small(part.text)) > 0;
+    return !part.is_digits && std::ranges::count(words, in_small_letters(part.text)) > 0;
 }
 
 struct FoundClock {
@@ -169,7 +161,7 @@ std::optional<FoundClock> digits_of_clock(std::span<const NamePart> parts) {
         return found(value_of(first.substr(0, 2)), value_of(first.substr(2, 2)),
                      value_of(first.substr(4, 2)), 1);
     if (!is_number_of(parts[0], 1, 2)) return std::nullopt;
-    const bool has_h = parts.size() > 1 && small(parts[1].text) == "h";
+    const bool has_h = parts.size() > 1 && in_small_letters(parts[1].text) == "h";
     const std::size_t at = has_h ? 2 : 1;
     if (parts.size() <= at || !is_number_of(parts[at], 2, 2)) return std::nullopt;
     const std::string& sign = parts[at].gap;
@@ -190,7 +182,7 @@ std::optional<FoundClock> clock_in(std::span<const NamePart> parts) {
     if (!found) return std::nullopt;
     found->parts += joining;
     if (found->parts == parts.size()) return found;
-    const std::string half = small(parts[found->parts].text);
+    const std::string half = in_small_letters(parts[found->parts].text);
     int& hour = found->clock.hour;
     const bool has_half = (half == "am" || half == "pm") && hour >= 1 && hour <= 12;
     if (!has_half) return found;

@@ -2,7 +2,11 @@
 
 #include "app/sticks/name_characters.h"
 
+#include <cstdint>
+#include <cstdlib>
+
 #include <unicode/uchar.h>
+#include <unicode/unistr.h>
 
 namespace touchline {
 namespace {
@@ -21,7 +25,6 @@ std::size_t columns_of(UChar32 character) {
     return width == U_EA_FULLWIDTH || width == U_EA_WIDE ? 2 : 1;
 }
 
-/// A text and its width on the screen.
 struct Glyph {
     std::string text;
     std::size_t columns = 1;
@@ -55,6 +58,28 @@ std::string shown_name(std::string_view name) {
         if (columns < shown_columns) kept = text;
     }
     return text;
+}
+
+std::string sort_key(const icu::Collator& collator, std::string_view text) {
+    const auto units =
+        icu::UnicodeString::fromUTF8({text.data(), static_cast<std::int32_t>(text.size())});
+    const std::int32_t bytes = collator.getSortKey(units, nullptr, 0);
+    std::string key(static_cast<std::size_t>(bytes), '\0');
+    collator.getSortKey(units, reinterpret_cast<std::uint8_t*>(key.data()), bytes);
+    return key;
+}
+
+NaturalOrder::NaturalOrder() {
+    UErrorCode error = U_ZERO_ERROR;
+    collator_.reset(icu::Collator::createInstance(icu::Locale::getRoot(), error));
+    if (U_SUCCESS(error) != 0) collator_->setAttribute(UCOL_NUMERIC_COLLATION, UCOL_ON, error);
+    if (U_FAILURE(error) != 0) std::abort();
+    (void)key_of("warm 1");
+}
+
+std::string NaturalOrder::key_of(std::string_view name) const {
+    // The key ends with a zero byte, so names that a reader takes for equal follow by their bytes.
+    return sort_key(*collator_, name).append(name);
 }
 
 }  // namespace touchline

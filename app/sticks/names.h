@@ -1,11 +1,14 @@
 // The names of a stick's files, which are untrusted: any bytes except NUL and '/'. Show or say only
-// the results of these functions and of spoken_name.h; open the file only by the bytes themselves.
-// Threads: pure functions. O(n).
+// the results of shown_name() and of spoken_name.h; open the file only by the bytes themselves.
+// Threads: pure functions; a NaturalOrder by one thread at a time.
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <string_view>
+
+#include <unicode/coll.h>
 
 namespace touchline {
 
@@ -16,5 +19,23 @@ inline constexpr std::size_t shown_columns = 80;
 /// (control, format and unassigned characters) become U+FFFD, a stray byte becomes \xNN, and a
 /// letter keeps at most three accents.
 [[nodiscard]] std::string shown_name(std::string_view name);
+
+/// Compared as bytes, keys order texts as the collator does; a key ends with a zero byte. O(n).
+[[nodiscard]] std::string sort_key(const icu::Collator& collator, std::string_view text);
+
+/// Construct it before the sandbox closes: its tables come with the library, but may be read late.
+class NaturalOrder {
+  public:
+    /// The order that all languages share. Aborts if the library has no tables, because then the
+    /// installation is broken.
+    NaturalOrder();
+
+    /// Compared as bytes, keys order the names; no two names have the same key. Stray bytes stand
+    /// for U+FFFD. O(n), at most some 20 bytes per byte.
+    [[nodiscard]] std::string key_of(std::string_view name) const;
+
+  private:
+    std::unique_ptr<icu::Collator> collator_;
+};
 
 }  // namespace touchline

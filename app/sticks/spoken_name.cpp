@@ -119,7 +119,6 @@ bool has_capital(std::string_view word) {
     return std::ranges::any_of(word, [](char c) { return c >= 'A' && c <= 'Z'; });
 }
 
-/// The words for one or more parts.
 struct Said {
     std::string text;
     bool is_apart = false;  // with a pause before and after it

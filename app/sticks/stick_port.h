@@ -1,14 +1,26 @@
-// Reports sticks as they come and go, however they are detected.
-// Threads: one.
+// Reports sticks as they come and go, however they are detected, and says how their file systems
+// are mounted: strictly read-only.
+// Threads: a port by one; mount_options() is a pure function.
 #pragma once
 
-#include "app/sticks/mount_options.h"
-
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace touchline {
+
+/// usual: FAT and exFAT. more: also ext4 and NTFS, which only the operator allows, because their
+/// parsers are large and rarely tried with hostile sticks.
+enum class FileSystems : std::uint8_t { usual, more };
+
+/// The options for udisks2 and mount(8), by a file system's kernel name; nothing if it is not
+/// mounted.
+[[nodiscard]] std::optional<std::string> mount_options(std::string_view file_system,
+                                                       FileSystems allowed);
 
 /// ready: files can be read below `root`. gone: they cannot be read any more, not even a file being
 /// read. refused: a stick cannot be read; `sentence` says why and what to do.
@@ -44,6 +56,45 @@ class StickPort {
 
     /// False while sticks could come unnoticed; the operator must be told.
     [[nodiscard]] virtual bool is_watching() const = 0;
+};
+
+/// The watched folder if the settings name one, else udisks2.
+[[nodiscard]] std::unique_ptr<StickPort> open_stick_port(const std::string& watched_folder);
+
+class FolderPort final : public StickPort {
+  public:
+    /// `folder`: the path of the operator's settings. It may be missing. Offers whatever is mounted
+    /// on it or put into it; a change of its files is reported as gone and ready. It is checked
+    /// twice a second, so it should be local: a check of a network folder may wait.
+    explicit FolderPort(std::string folder) : folder_(std::move(folder)) {}
+
+    [[nodiscard]] std::vector<StickEvent> poll(std::int64_t now_ns) override;
+
+    void allow(FileSystems /*allowed*/) override {}
+
+    /// The folder's contents belong to the operator and are offered to the next visitor too.
+    void end_session() override {}
+
+    /// True while the folder exists.
+    [[nodiscard]] bool is_watching() const override { return is_watching_; }
+
+  private:
+    /// Changes with what is mounted there, and with each name that comes or goes.
+    struct Look {
+        std::uint64_t device = 0;
+        std::uint64_t number = 0;
+        std::int64_t changed_s = 0;
+        std::int64_t changed_ns = 0;
+
+        friend bool operator==(const Look&, const Look&) = default;
+    };
+
+    [[nodiscard]] std::optional<Look> look();
+
+    std::string folder_;
+    std::optional<Look> last_;  // none: empty or missing
+    std::int64_t next_look_ns_ = 0;
+    bool is_watching_ = false;
 };
 
 }  // namespace touchline

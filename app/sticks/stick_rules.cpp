@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <tuple>
-#include <utility>
 
 namespace touchline {
 namespace {
@@ -68,7 +67,7 @@ void StickRules::on_mounted(std::uint64_t number, const std::string& object,
 void StickRules::on_mount_failed(std::uint64_t number, bool is_mounted_already) {
     if (!order_ || order_->number != number) return;
     const Volume* const volume = find(order_->object);
-    if (!is_mounted_already && volume != nullptr) spend(volume->object, volume->drive);
+    if (!is_mounted_already && volume != nullptr) spent_.emplace(volume->object, volume->drive);
     order_.reset();
 }
 
@@ -85,7 +84,7 @@ void StickRules::on_unmounted(std::uint64_t number, bool is_done) {
 
 StickStep StickRules::on_session_ended() {
     offer_.reset();  // nobody is there to be told
-    for (const Volume& volume : all_) spend(volume.object, volume.drive);
+    for (const Volume& volume : all_) spent_.emplace(volume.object, volume.drive);
     for (const Volume& volume : all_) told_.insert(volume.drive);
     return decide();
 }
@@ -99,16 +98,14 @@ void StickRules::on_service_lost() {
 }
 
 const Volume* StickRules::find(const std::string& object) const {
-    const auto found = std::find_if(all_.begin(), all_.end(), [&object](const Volume& volume) {
-        return volume.object == object;
-    });
+    const auto found = std::ranges::find_if(
+        all_, [&object](const Volume& volume) { return volume.object == object; });
     return found == all_.end() ? nullptr : &*found;
 }
 
 bool StickRules::is_mounted(const Mount& mount) const {
     const Volume* const volume = find(mount.first);
-    return volume != nullptr &&
-           std::count(volume->roots.begin(), volume->roots.end(), mount.second) > 0;
+    return volume != nullptr && std::ranges::count(volume->roots, mount.second) > 0;
 }
 
 std::string StickRules::sentence_for(const Volume& volume) const {
@@ -120,9 +117,8 @@ std::string StickRules::sentence_for(const Volume& volume) const {
 }
 
 bool StickRules::can_be_read(const Volume& volume) const {
-    const auto tries = std::count_if(spent_.begin(), spent_.end(), [&volume](const auto& spent) {
-        return spent.second == volume.drive;
-    });
+    const auto tries = std::ranges::count_if(
+        spent_, [&volume](const auto& spent) { return spent.second == volume.drive; });
     return is_promising(volume) && volume.usage == "filesystem" &&
            options_for(volume).has_value() && !spent_.contains({volume.object, volume.drive}) &&
            static_cast<std::size_t>(tries) < most_tries;
@@ -145,14 +141,13 @@ void StickRules::apply_answers() {
     }
 }
 
-/// Handles the first volumes since udisks2 started.
 void StickRules::begin_anew() {
     for (const Volume& volume : all_) {
         if (volume.roots.empty()) continue;
         const Mount mount{volume.object, volume.roots.front()};
         if (unknown_ == volume.object) ours_.insert(mount);
         if (ours_.contains(mount) || (offer_ && offer_->object == volume.object)) continue;
-        spend(volume.object, volume.drive);
+        spent_.emplace(volume.object, volume.drive);
         told_.insert(volume.drive);
     }
     unknown_.reset();
@@ -165,8 +160,8 @@ void StickRules::forget_absent() {
     });
     std::erase_if(ours_, [this](const Mount& mount) { return !is_mounted(mount); });
     std::erase_if(told_, [this](const std::string& drive) {
-        return std::none_of(all_.begin(), all_.end(),
-                            [&drive](const Volume& volume) { return volume.drive == drive; });
+        return std::ranges::none_of(
+            all_, [&drive](const Volume& volume) { return volume.drive == drive; });
     });
 }
 
@@ -193,7 +188,6 @@ StickStep StickRules::decide() {
     return step;
 }
 
-/// Checks that the stick offered to the visitor is still there.
 void StickRules::check_offer(StickStep& step) {
     if (!offer_) return;
     const Volume* const volume = find(offer_->object);
@@ -201,7 +195,7 @@ void StickRules::check_offer(StickStep& step) {
     if (is_there && is_mounted({offer_->object, offer_->root})) return;
     if (is_there) {
         // Somebody unmounted it, and so wants to pull it out.
-        spend(offer_->object, offer_->drive);
+        spent_.emplace(offer_->object, offer_->drive);
         told_.insert(offer_->drive);
     }
     withdraw(step);
@@ -220,7 +214,7 @@ void StickRules::give(StickOrder order, StickStep& step) {
 
 /// A mount of ours that nobody needs.
 const StickRules::Mount* StickRules::superfluous(const Volume* wanted) const {
-    const auto found = std::find_if(ours_.begin(), ours_.end(), [this, wanted](const Mount& mount) {
+    const auto found = std::ranges::find_if(ours_, [this, wanted](const Mount& mount) {
         const bool is_offered = offer_ && offer_->object == mount.first;
         const bool is_wanted = !offer_ && wanted != nullptr && wanted->object == mount.first;
         return !is_offered && !is_wanted;
@@ -239,10 +233,6 @@ void StickRules::mount_or_offer(const Volume& volume, StickStep& step) {
     step.events.push_back({StickNews::ready, offer_->root, ""});
 }
 
-void StickRules::spend(const std::string& object, const std::string& drive) {
-    spent_.emplace(object, drive);
-}
-
 /// Once per stick, when none of its volumes is left to try.
 void StickRules::refuse_what_cannot_be_read(StickStep& step) {
     const auto tell = [this, &step](const Volume& volume) {
@@ -252,8 +242,7 @@ void StickRules::refuse_what_cannot_be_read(StickStep& step) {
     std::vector<const Volume*> left;
     for (const Volume& volume : all_)
         if (is_promising(volume)) left.push_back(&volume);
-    std::sort(left.begin(), left.end(),
-              [](const Volume* a, const Volume* b) { return is_better(*a, *b); });
+    std::ranges::sort(left, [](const Volume* a, const Volume* b) { return is_better(*a, *b); });
     for (const Volume* volume : left) tell(*volume);
 }
 

@@ -3,7 +3,6 @@
 // Threads: a value.
 #pragma once
 
-#include "app/sticks/mount_options.h"
 #include "app/sticks/stick_port.h"
 
 #include <cstdint>
@@ -105,7 +104,6 @@ class StickRules {
     [[nodiscard]] const Mount* superfluous(const Volume* wanted) const;
     void mount_or_offer(const Volume& volume, StickStep& step);
     void refuse_what_cannot_be_read(StickStep& step);
-    void spend(const std::string& object, const std::string& drive);
 
     FileSystems allowed_ = FileSystems::usual;
     std::vector<Volume> all_;

@@ -1,14 +1,10 @@
 #include "app/sticks/udisks_port.h"
 
 #include "app/sticks/bus_generations.h"
-#include "app/sticks/stick_rules.h"
 
-#include <cstdint>
 #include <map>
-#include <memory>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include <sdbus-c++/Types.h>
 
@@ -246,10 +242,6 @@ void UdisksPort::end_session() {
         bus_.reset();
         lose_service();
     }
-}
-
-bool UdisksPort::is_watching() const {
-    return is_watching_;
 }
 
 void UdisksPort::connect(std::int64_t now_ns) {

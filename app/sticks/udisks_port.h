@@ -28,7 +28,8 @@ class UdisksPort final : public StickPort {
 
     /// The following polls unmount the stick.
     void end_session() override;
-    [[nodiscard]] bool is_watching() const override;
+
+    [[nodiscard]] bool is_watching() const override { return is_watching_; }
 
   private:
     class Bus;

@@ -2,10 +2,10 @@
 // thing at a place.
 #include "app/decode/answer_parts.h"
 #include "app/decode/worker_program.h"
+#include "app/trace/joined.h"
 #include "app/trace/main_things.h"
-#include "app/trace/page_pixels.h"
-#include "app/trace/picture_networks.h"
-#include "app/trace/place_in_picture.h"
+#include "app/trace/page_lines.h"
+#include "app/trace/trace_work.h"
 #include "config/types/result.h"
 #include "haptics/servo/processors.h"
 #include "vision/contour/gradient.h"

@@ -4,7 +4,7 @@
 #include "app/process/places.h"
 #include "app/sandbox/worker.h"
 #include "app/trace/page_views.h"
-#include "app/trace/sealed_page.h"
+#include "app/trace/tracing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -66,7 +66,6 @@ WordBox box_of(const ThingBox& thing, const Picture& picture) {
             high(right_px + margin_px, picture.width), high(bottom_px + margin_px, picture.height)};
 }
 
-/// The part within the picture.
 ThingBox within_picture(const ThingBox& part) {
     return {std::max(part.left, 0.0), std::max(part.top, 0.0), std::min(part.right, 1.0),
             std::min(part.bottom, 1.0)};

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "app/decode/page.h"
+#include "app/trace/joined.h"
 #include "app/trace/main_things.h"
-#include "app/trace/picture_networks.h"
-#include "app/trace/place_in_picture.h"
+#include "app/trace/trace_work.h"
 #include "config/types/result.h"
 
 namespace touchline {

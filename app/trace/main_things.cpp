@@ -1,13 +1,12 @@
 #include "app/trace/main_things.h"
 
-#include "app/trace/grey_bytes.h"
+#include "app/trace/worker_values.h"
 #include "config/types/face_part.h"
 #include "config/types/fields.h"
 #include "config/types/map_bytes.h"
 
 #include <algorithm>
 #include <cstdint>
-#include <optional>
 #include <utility>
 
 namespace touchline {
@@ -18,10 +17,6 @@ constexpr std::uint32_t most_things = 20;           // none is smaller than a tw
 constexpr std::uint32_t most_names = 50;            // more than are ever said
 constexpr std::uint32_t most_faces = 20;            // more than anybody goes through
 constexpr double farthest = 4.0;                    // pictures beyond the picture's sides
-
-tl::unexpected<Error> not_safe() {
-    return failure("its main thing could not be found safely");
-}
 
 template <class Fields, class Box>
 void box_fields(Fields& f, Box& box) {
@@ -46,36 +41,48 @@ bool is_sound(const TactileMap& map) {
            });
 }
 
-void put(ByteWriter& bytes, const NamedThing& thing) {
-    bytes.number(static_cast<std::uint32_t>(thing.name));
-    bytes.number(thing.likelihood);
-    box_fields(bytes, thing.box);
+/// All fields except the name's number.
+template <class Fields, class Thing>
+void named_fields(Fields& f, Thing& thing) {
+    f.number(thing.likelihood, 0.0, 1.0);
+    box_fields(f, thing.box);
 }
 
 constexpr std::size_t box_bytes = 4 * sizeof(double);
 constexpr std::size_t name_bytes = sizeof(std::uint32_t) + sizeof(double) + box_bytes;
 constexpr std::size_t face_bytes = box_bytes + sizeof(std::uint32_t);  // without its map
 
-std::optional<NamedThing> named_thing_in(ByteReader& bytes) {
-    const auto name = thing_name_of(bytes.number<std::uint32_t>());
-    NamedThing thing;
-    bytes.number(thing.likelihood);
-    box_fields(bytes, thing.box);
-    FieldCheck check;
-    check.number(thing.likelihood, 0.0, 1.0);
-    if (!bytes.is_good() || !name || !check.is_sound() || !is_sound(thing.box)) return std::nullopt;
-    thing.name = *name;
-    return thing;
+/// These read one record each; false unless it is sound.
+bool read_one(ByteReader& bytes, ThingBox& box) {
+    box_fields(bytes, box);
+    return bytes.is_good() && is_sound(box);
 }
 
-std::optional<DrawnFace> face_in(ByteReader& bytes) {
-    DrawnFace face;
+bool read_one(ByteReader& bytes, NamedThing& thing) {
+    const auto name = thing_name_of(bytes.number<std::uint32_t>());
+    const bool is_read =
+        read_checked(bytes, thing, [](auto& f, auto& named) { named_fields(f, named); });
+    if (name) thing.name = *name;
+    return is_read && name && is_sound(thing.box);
+}
+
+bool read_one(ByteReader& bytes, DrawnFace& face) {
     box_fields(bytes, face.part);
     auto map = map_of(bytes.raw(bytes.number<std::uint32_t>()));
-    if (!bytes.is_good() || !can_be_shown(face.part) || !map || !is_sound(*map))
-        return std::nullopt;
+    if (!bytes.is_good() || !can_be_shown(face.part) || !map || !is_sound(*map)) return false;
     face.map = std::move(*map);
-    return face;
+    return true;
+}
+
+/// Reads how many there are, and each; false for more than `most`, or for one that is not sound.
+template <class Record>
+bool read_all(ByteReader& bytes, std::size_t least_bytes, std::uint32_t most,
+              std::vector<Record>& records) {
+    const auto count = bytes.count(least_bytes);
+    if (count > most) return false;
+    for (std::uint32_t i = 0; i < count; ++i)
+        if (!read_one(bytes, records.emplace_back())) return false;
+    return true;
 }
 
 }  // namespace
@@ -108,7 +115,10 @@ Result<std::vector<std::byte>> bytes_of(const MainThings& things) {
     bytes.count(things.boxes.size());
     for (const ThingBox& box : things.boxes) box_fields(bytes, box);
     bytes.count(things.names.size());
-    for (const NamedThing& thing : things.names) put(bytes, thing);
+    for (const NamedThing& thing : things.names) {
+        bytes.number(static_cast<std::uint32_t>(thing.name));
+        named_fields(bytes, thing);
+    }
     bytes.count(things.faces.size());
     for (const DrawnFace& face : things.faces) {
         const auto map = bytes_of(face.map);
@@ -123,33 +133,16 @@ Result<std::vector<std::byte>> bytes_of(const MainThings& things) {
 
 Result<MainThings> main_things_of(std::span<const std::byte> all) {
     ByteReader bytes(all);
-    if (bytes.number<std::uint32_t>() != things_magic) return not_safe();
     MainThings things;
-    things_fields(bytes, things);
-    FieldCheck check;
-    things_fields(check, things);
-    const auto boxes = bytes.count(box_bytes);
-    if (boxes > most_things || !check.is_sound()) return not_safe();
-    for (std::uint32_t i = 0; i < boxes; ++i) {
-        box_fields(bytes, things.boxes.emplace_back());
-        if (!is_sound(things.boxes.back())) return not_safe();
-    }
-    const auto names = bytes.count(name_bytes);
-    if (names > most_names) return not_safe();
-    for (std::uint32_t i = 0; i < names; ++i) {
-        const auto name = named_thing_in(bytes);
-        if (!name) return not_safe();
-        things.names.push_back(*name);
-    }
-    const auto faces = bytes.count(face_bytes);
-    if (faces > most_faces) return not_safe();
-    for (std::uint32_t i = 0; i < faces; ++i) {
-        auto face = face_in(bytes);
-        if (!face) return not_safe();
-        things.faces.push_back(std::move(*face));
-    }
+    const bool is_sound =
+        bytes.number<std::uint32_t>() == things_magic &&
+        read_checked(bytes, things, [](auto& f, auto& seen) { things_fields(f, seen); }) &&
+        read_all(bytes, box_bytes, most_things, things.boxes) &&
+        read_all(bytes, name_bytes, most_names, things.names) &&
+        read_all(bytes, face_bytes, most_faces, things.faces);
     auto mask = grey_of(bytes.raw(bytes.left()));
-    if (!bytes.is_good() || !mask) return not_safe();
+    if (!is_sound || !bytes.is_good() || !mask)
+        return failure("its main thing could not be found safely");
     things.mask = std::move(*mask);
     things.is_sure = things.is_sure && !things.boxes.empty();
     return things;

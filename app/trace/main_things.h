@@ -5,7 +5,7 @@
 //   boxes   of the main things: how many u32, then four f64 each
 //   names   how many u32; each: number u32, likelihood f64, box
 //   faces   how many u32; each: box, and its map (map_bytes.h) with the bytes before it u32
-//   mask    grey_bytes.h, the rest
+//   mask    a grey picture (worker_values.h), the rest
 //
 // Threads: pure functions.
 #pragma once

@@ -1,8 +1,5 @@
 #include "app/trace/page_lines.h"
 
-#include "app/decode/answer_parts.h"
-#include "app/trace/page_pixels.h"
-
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -10,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
 namespace touchline {
@@ -193,6 +189,11 @@ Result<Found> find_lines_of_page(std::span<const std::byte> page, const TraceOpt
         paint_over(bgr, words);
     }
     return find_lines(bgr, options, main_things);
+}
+
+cv::Mat view_of(const decode::AnswerParts& page) {
+    return {static_cast<int>(page.header.height), static_cast<int>(page.header.width), CV_8UC3,
+            const_cast<std::byte*>(page.pixels.data())};
 }
 
 }  // namespace touchline

@@ -2,6 +2,7 @@
 // Threads: pure functions.
 #pragma once
 
+#include "app/decode/answer_parts.h"
 #include "config/types/result.h"
 #include "vision/simplify/trace.h"
 
@@ -18,5 +19,8 @@ namespace touchline {
 [[nodiscard]] Result<Found> find_lines_of_page(std::span<const std::byte> page,
                                                const TraceOptions& options,
                                                const cv::Mat1b& main_things = {});
+
+/// A view of read-only pixels: give it only to what takes a constant matrix.
+[[nodiscard]] cv::Mat view_of(const decode::AnswerParts& page);
 
 }  // namespace touchline

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+
+#include <fmt/core.h>
 
 namespace touchline {
 namespace {
@@ -204,6 +205,15 @@ Page view_of(const Page& page, int view) {
     part.count = page.count;
     part.dpi = page.dpi;
     return part;
+}
+
+Result<TactileMap> shown_at(TactileMap map, int detail) {
+    std::erase_if(map.outlines,
+                  [detail](const Outline& outline) { return outline.detail > detail; });
+    if (map.outlines.empty())
+        return failure(
+            fmt::format("no outline is shown at detail {}; choose a higher detail", detail));
+    return map;
 }
 
 }  // namespace touchline

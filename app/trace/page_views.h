@@ -1,11 +1,13 @@
-// The views of a page, which are felt one by one: each of its pictures, then the page as a whole.
+// The views of a page, which are felt one by one: each of its pictures, then the page as a whole;
+// and pages that are maps of Touchline's own, which are felt as they are and not traced.
 // Threads: pure functions.
 #pragma once
 
+#include "app/decode/file_format.h"
 #include "app/decode/page.h"
-#include "app/decode/page_order.h"
-#include "app/trace/place_in_picture.h"
+#include "app/trace/trace_work.h"
 #include "config/types/result.h"
+#include "config/types/tactile_map.h"
 
 #include <functional>
 #include <optional>
@@ -53,5 +55,13 @@ using PageOpener = std::function<Result<Page>(const PageOrder&)>;
 /// has them as its outlines, and white where it reaches beyond the page; its pixels are only for
 /// showing, at most 2000 along each side. The last view is the page itself. O(pixels).
 [[nodiscard]] Page view_of(const Page& page, int view);
+
+/// The map without its outlines above `detail`. Fails with one line if none is left.
+[[nodiscard]] Result<TactileMap> shown_at(TactileMap map, int detail);
+
+/// True if the page is such a map.
+[[nodiscard]] inline bool is_own_map(const Page& page) {
+    return !page.told.outlines.empty();
+}
 
 }  // namespace touchline

@@ -1,8 +1,12 @@
 #include "app/trace/trace_work.h"
 
+#include "app/decode/one_line.h"
+
+#include <algorithm>
 #include <array>
 #include <charconv>
-#include <system_error>
+
+#include <fmt/format.h>
 
 namespace touchline {
 namespace {
@@ -17,9 +21,9 @@ std::string text_of(double number) {
     return {text.data(), end};
 }
 
-bool read_number(const std::string& text, double& number) {
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    return error == std::errc() && end == text.data() + text.size();
+std::optional<double> share_of(const std::string& word) {
+    const auto share = number_in<double>(word);
+    return share && *share >= 0.0 && *share <= 1.0 ? share : std::nullopt;
 }
 
 /// True for a whole number from `least` to `most`; NaN is none.
@@ -28,6 +32,38 @@ bool is_choice(double number, int least, int most) {
 }
 
 }  // namespace
+
+std::vector<std::string> words_of(const PlaceInPicture& place) {
+    return {fmt::format("{:.6f}", place.x), fmt::format("{:.6f}", place.y)};
+}
+
+std::optional<PlaceInPicture> place_of(const std::vector<std::string>& words) {
+    if (words.size() != 2) return std::nullopt;
+    const auto x = share_of(words[0]);
+    const auto y = share_of(words[1]);
+    return x && y ? std::optional(PlaceInPicture{*x, *y}) : std::nullopt;
+}
+
+cv::Mat cut_off(const cv::Mat& picture, const PhotoCut& cut) {
+    const auto share = [](double percent) {
+        return percent >= 0.0 && percent <= 40.0 ? 0.01 * percent : 0.0;
+    };
+    const int left = cvRound(share(cut.left) * picture.cols);
+    const int right = cvRound(share(cut.right) * picture.cols);
+    const int top = cvRound(share(cut.top) * picture.rows);
+    const int bottom = cvRound(share(cut.bottom) * picture.rows);
+    return picture(cv::Rect(left, top, std::max(1, picture.cols - left - right),
+                            std::max(1, picture.rows - top - bottom)));
+}
+
+Picture picture_of(const cv::Mat& bgr) {
+    Picture picture;
+    picture.width = bgr.cols;
+    picture.height = bgr.rows;
+    const cv::Mat whole = bgr.isContinuous() ? bgr : bgr.clone();
+    picture.bgr.assign(whole.data, whole.data + whole.total() * whole.elemSize());
+    return picture;
+}
 
 std::vector<std::string> arguments_of(const TraceWork& work) {
     const TraceOptions& options = work.options;
@@ -54,8 +90,11 @@ std::vector<std::string> arguments_of(const TraceWork& work) {
 Result<TraceWork> trace_work_in(std::span<const std::string> arguments) {
     std::array<double, number_count> numbers{};
     bool is_read = arguments.size() == number_count;
-    for (std::size_t i = 0; is_read && i < number_count; ++i)
-        is_read = read_number(arguments[i], numbers[i]);
+    for (std::size_t i = 0; is_read && i < number_count; ++i) {
+        const auto number = number_in<double>(arguments[i]);
+        is_read = number.has_value();
+        numbers[i] = number.value_or(0.0);
+    }
     const auto [step, width_m, height_m, detail, x_m, y_m, factor, class_number, edges, things,
                 left, right, top, bottom] = numbers;
     const bool are_choices = is_choice(step, 0, 2) && is_choice(detail, -1000, 1000) &&

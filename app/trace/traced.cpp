@@ -40,10 +40,10 @@ tl::unexpected<Error> unsafe() {
 std::optional<Header> header_in(ByteReader& bytes) {
     Header header;
     if (bytes.number<std::uint32_t>() != traced_magic) return std::nullopt;
-    header_fields(bytes, header);
+    const bool is_read =
+        read_checked(bytes, header, [](auto& f, auto& head) { header_fields(f, head); });
     const bool has_edges = header.width != 0 || header.height != 0;
-    const bool is_sound =
-        bytes.is_good() && (!has_edges || fits_a_picture(header.width, header.height));
+    const bool is_sound = is_read && (!has_edges || fits_a_picture(header.width, header.height));
     return is_sound ? std::optional(header) : std::nullopt;
 }
 
@@ -103,9 +103,8 @@ Result<Traced> traced_of(std::span<const std::byte> all) {
     if (!outlines || outlines->outlines.empty() || !is_plain(what.report)) return unsafe();
     what.map = std::move(*outlines);
     decode::clean_texts(what.map);
-    what.edges = {static_cast<int>(header->width), static_cast<int>(header->height), {}};
-    const auto* const first = reinterpret_cast<const std::uint8_t*>(grey.data());
-    what.edges.grey.assign(first, first + grey.size());
+    what.edges = {static_cast<int>(header->width), static_cast<int>(header->height),
+                  samples_of(grey)};
     return Traced{std::move(what), has_lines};
 }
 

@@ -8,7 +8,7 @@
 //   report   JSON
 //   map      config/types/map_bytes.h
 //   edges    1 byte per pixel, rows from the top
-//   lines    lines_bytes.h
+//   lines    worker_values.h
 //
 // A text is its bytes u32 and the bytes. Little-endian, no offsets. Threads: pure functions.
 #pragma once
@@ -18,7 +18,6 @@
 #include "config/types/tactile_map.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>

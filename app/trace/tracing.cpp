@@ -3,15 +3,12 @@
 #include "app/decode/opening.h"
 #include "app/process/memory.h"
 #include "app/process/places.h"
+#include "app/sandbox/limits.h"
 #include "app/sandbox/worker.h"
-#include "app/trace/frame_bytes.h"
-#include "app/trace/grey_bytes.h"
 #include "app/trace/page_views.h"
-#include "app/trace/sealed_page.h"
-#include "app/trace/trace_work.h"
+#include "app/trace/worker_values.h"
 
 #include <algorithm>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -32,7 +29,6 @@ Result<Sealed> input_of(const Page& page) {
     return sealed_behind({mask}, page);
 }
 
-/// The worker's answer, sealed.
 Result<Sealed> worked(const TraceWork& work, const Descriptor& input) {
     auto answer =
         run_worker({companion("touchline-trace"), arguments_of(work), WorkerKind::trace}, input);
@@ -47,7 +43,6 @@ std::vector<Label> placed(std::vector<Label> labels, const Area& from, const Are
     return labels;
 }
 
-/// Gives the page's texts to the map.
 void tell(const Page& page, const TraceOptions& options, TactileMap& map) {
     map.title = page.told.title;
     map.description = page.told.description;
@@ -55,7 +50,6 @@ void tell(const Page& page, const TraceOptions& options, TactileMap& map) {
                           options.zoom);
 }
 
-/// A worker's answer in memory, and the same read.
 struct Answer {
     FoundLines memory;
     Traced traced;
@@ -70,6 +64,11 @@ Result<Answer> traced_by(const TraceWork& work, const Descriptor& input, const P
     if (!traced) return tl::unexpected(traced.error());
     if (traced->map) tell(page, work.options, traced->map->map);
     return Answer{{*answer, mapped->bytes().size()}, std::move(*traced)};
+}
+
+Result<Sealed> shared(Result<Descriptor> memory) {
+    if (!memory) return tl::unexpected(memory.error());
+    return std::make_shared<const Descriptor>(std::move(*memory));
 }
 
 }  // namespace
@@ -114,6 +113,21 @@ Result<Page> page_of_photo(const CameraFrame& frame, const PhotoCut& cut) {
     const auto answer = worked(work, *input);
     if (!answer) return tl::unexpected(answer.error());
     return page_in(*answer);
+}
+
+Result<Sealed> sealed(const Page& page) {
+    if (page.answer) return page.answer;
+    return shared(answer_of(page).and_then(
+        [](const std::vector<std::byte>& bytes) { return sealed_copy(bytes); }));
+}
+
+Result<Sealed> sealed_behind(ThingsInBytes things, const Page& page) {
+    const auto answer = sealed(page);
+    if (!answer) return answer;
+    const auto bytes = map_sealed(**answer, limits_of(WorkerKind::trace).input_bytes);
+    if (!bytes) return tl::unexpected(bytes.error());
+    things.push_back(bytes->bytes());
+    return shared(sealed_copy(joined(things)));
 }
 
 }  // namespace touchline

@@ -4,7 +4,9 @@
 #pragma once
 
 #include "app/decode/page.h"
-#include "app/trace/photo_cut.h"
+#include "app/process/descriptor.h"
+#include "app/trace/joined.h"
+#include "app/trace/trace_work.h"
 #include "app/trace/traced.h"
 #include "config/types/result.h"
 #include "vision/camera/frame.h"
@@ -12,7 +14,6 @@
 
 #include <cstddef>
 #include <memory>
-#include <span>
 
 namespace touchline {
 
@@ -46,5 +47,13 @@ struct TraceRequest {
 
 /// The page in a photograph of what lies under the camera.
 [[nodiscard]] Result<Page> page_of_photo(const CameraFrame& frame, const PhotoCut& cut);
+
+using Sealed = std::shared_ptr<const Descriptor>;
+
+/// The answer of the page's own worker, without a copy, if nothing has changed since.
+[[nodiscard]] Result<Sealed> sealed(const Page& page);
+
+/// The page after other things (joined.h): a copy of everything.
+[[nodiscard]] Result<Sealed> sealed_behind(ThingsInBytes things, const Page& page);
 
 }  // namespace touchline

@@ -210,4 +210,14 @@ class FieldCheck {
     bool is_sound_ = true;
 };
 
+/// Reads a record and checks its ranges at once: `fields` takes the operation and the record, as
+/// the template above. True if all bytes were there and every field is in its range.
+template <class Record, class FieldsOf>
+[[nodiscard]] bool read_checked(ByteReader& bytes, Record& record, const FieldsOf& fields) {
+    FieldCheck check;
+    fields(bytes, record);
+    fields(check, record);
+    return bytes.is_good() && check.is_sound();
+}
+
 }  // namespace touchline

@@ -2,7 +2,7 @@
 // sanitizers see them.
 #pragma once
 
-#include "app/decode/decoding.h"
+#include "app/decode/worker_program.h"
 
 #include <gtest/gtest.h>
 

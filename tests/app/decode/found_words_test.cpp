@@ -1,8 +1,6 @@
 // Tests found words as they cross from their worker, honest and not, and as they join a page.
 #include "app/decode/found_words.h"
 
-#include "app/decode/reading_order.h"
-
 #include <random>
 #include <string>
 #include <vector>

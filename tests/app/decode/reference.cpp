@@ -1,6 +1,6 @@
 #include "tests/app/decode/reference.h"
 
-#include "app/decode/signature.h"
+#include "app/decode/file_format.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // Tests how often parts of a drawing are drawn again, against a count by drawing.
-#include "app/decode/svg_references.h"
+#include "app/decode/svg_survey.h"
 
 #include <algorithm>
 #include <string>

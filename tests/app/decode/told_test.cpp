@@ -1,8 +1,10 @@
 // Tests that text written for people who cannot see a picture survives opening it.
+#include "app/decode/file_format.h"
 #include "app/decode/files.h"
 #include "app/decode/machine_words.h"
 #include "app/decode/one_line.h"
 #include "app/decode/side_car.h"
+#include "app/sticks/listing.h"
 #include "app/trace/tracing.h"
 #include "tests/app/decode/decoding_here.h"
 #include "tests/app/decode/files_of_formats.h"
@@ -10,6 +12,7 @@
 #include "tests/app/decode/with_metadata.h"
 
 #include <filesystem>
+#include <set>
 #include <string>
 
 #include <fmt/format.h>
@@ -220,7 +223,31 @@ TEST(SideCar, WhatIsNoTextChangesNothing) {
     tell(" \n ", told);
     tell(std::string(max_side_car_bytes + 1, 'a'), told);
     EXPECT_EQ(told.description, "before");
+}
+
+TEST(SideCar, LiesBeside) {
     EXPECT_EQ(side_car_of("/a/fish.png"), "/a/fish.txt");
+    EXPECT_EQ(side_car_of("boat.jpg"), "boat.txt");
+    EXPECT_EQ(side_car_of("a.b.pdf"), "a.b.txt");
+    EXPECT_EQ(side_car_of("boat"), "boat.txt");
+}
+
+/// A sample's name is its ending.
+TEST(FileFormats, EveryOneHasASampleWhoseEndingTheStickOffers) {
+    std::set<FileFormat> seen;
+    for (const NamedFile& file : files_of_formats()) {
+        const FileFormat format = format_of(file.bytes);
+        const FormatFacts* const facts = format_ending_in(in_small_letters(file.name));
+        ASSERT_NE(facts, nullptr) << file.name;
+        EXPECT_EQ(static_cast<int>(facts->format), static_cast<int>(format)) << file.name;
+        EXPECT_EQ(static_cast<int>(facts->worker), static_cast<int>(kind_of(file.bytes)));
+        const auto kind = kind_of_name("boat." + file.name);
+        EXPECT_TRUE(kind == StickFileKind::picture || kind == StickFileKind::document) << file.name;
+        seen.insert(format);
+    }
+    for (const FormatFacts& facts : file_formats)
+        EXPECT_TRUE(seen.contains(facts.format) || facts.format == FileFormat::office)
+            << facts.endings[0];
 }
 
 TEST(OneSpaced, HidesNothing) {

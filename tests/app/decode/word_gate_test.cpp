@@ -1,7 +1,6 @@
 // Tests which of tesseract's words are believed.
-#include "app/decode/word_gate.h"
-
 #include "app/decode/formats.h"
+#include "app/decode/word_reader.h"
 
 #include <random>
 #include <string>

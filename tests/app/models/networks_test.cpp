@@ -1,7 +1,5 @@
 #include "app/models/networks.h"
 
-#include "app/models/getting.h"
-
 #include <array>
 #include <cstddef>
 #include <cstdlib>

@@ -1,8 +1,7 @@
 // Tests what teachers are told, as touchline pack says it.
 #include "app/cli/command_line.h"
 #include "app/decode/files.h"
-#include "app/packs/pack_check.h"
-#include "app/packs/pack_export.h"
+#include "app/packs/pack.h"
 #include "app/packs/unpacking.h"
 #include "audio-cues/words/language.h"
 #include "tests/app/packs/made_packs.h"

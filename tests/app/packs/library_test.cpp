@@ -1,7 +1,6 @@
 // Tests packs as they are installed, replaced, listed and heard.
-#include "app/packs/pack_check.h"
+#include "app/packs/pack.h"
 #include "app/packs/pack_library.h"
-#include "app/packs/pack_toml.h"
 #include "audio-cues/speech/recorded_prompts.h"
 #include "audio-cues/words/language.h"
 #include "tests/app/packs/made_packs.h"

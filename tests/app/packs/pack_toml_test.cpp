@@ -1,6 +1,5 @@
 // Tests what pack.toml may hold, and which line refuses the rest.
-#include "app/packs/pack_toml.h"
-
+#include "app/packs/pack.h"
 #include "audio-cues/words/language.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Tests answers of touchline-unpack: only what the real program would write is believed.
 #include "app/packs/unpack_answer.h"
 
-#include "app/packs/pack_limits.h"
+#include "app/packs/pack.h"
 
 #include <cmath>
 #include <limits>

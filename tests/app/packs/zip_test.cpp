@@ -1,13 +1,13 @@
 // Tests untrusted zip files with the worker: what is accepted, and what is refused with which
 // words.
-#include "app/packs/pack_export.h"
-#include "app/packs/pack_limits.h"
+#include "app/packs/pack.h"
 #include "app/packs/unpacking.h"
 #include "audio-cues/words/language.h"
 #include "tests/app/decode/liar_in_place.h"
 #include "tests/app/packs/made_packs.h"
 
 #include <chrono>
+#include <cstdlib>
 
 #include <gtest/gtest.h>
 
@@ -203,10 +203,46 @@ TEST(Export, ReadAgainIsTheSameBitForBit) {
     const auto pack = read_pack(made::example_pack());
     ASSERT_TRUE(pack.has_value()) << sentence_of(pack.error(), Language());
     const auto zip = zip_of(*pack);
-    const auto back = read_pack(zip);
+    ASSERT_TRUE(zip.has_value()) << sentence_of(zip.error(), Language());
+    const auto back = read_pack(*zip);
     ASSERT_TRUE(back.has_value()) << sentence_of(back.error(), Language());
     EXPECT_TRUE(*back == *pack);
-    EXPECT_TRUE(zip_of(*back) == zip);
+    EXPECT_TRUE(zip_of(*back).value() == *zip);
+}
+
+/// The first day that a zip file can tell, and neither the user nor the machine's time zone.
+TEST(Export, TellsNoDateAndNoOwner) {
+    const auto pack = read_pack(made::zip(made::small_pack()));
+    ASSERT_TRUE(pack.has_value());
+    const std::string zip = made::text_of(zip_of(*pack).value());
+    std::size_t members = 0;
+    for (auto at = zip.find("PK\1\2"); at != std::string::npos; at = zip.find("PK\1\2", at + 4)) {
+        EXPECT_EQ(zip.substr(at + 10, 2), std::string("\0\0", 2)) << "stored, not packed";
+        EXPECT_EQ(zip.substr(at + 12, 4), std::string("\0\0\x21\0", 4));
+        ++members;
+    }
+    EXPECT_EQ(members, pack->files.size());
+    ::setenv("TZ", "XST-9", 1);
+    EXPECT_TRUE(made::text_of(zip_of(*pack).value()) == zip);
+    ::unsetenv("TZ");
+}
+
+TEST(Export, WhatNoKioskWouldTakeIsRefused) {
+    auto pack = read_pack(made::zip(made::small_pack()));
+    ASSERT_TRUE(pack.has_value());
+    for (const char* name : {"v.txt", "w.txt", "x.txt", "y.txt", "z.txt"})
+        pack->files.push_back({name, std::vector<std::byte>(pack_limits.file_bytes)});
+    const auto zip = zip_of(*pack);
+    ASSERT_FALSE(zip.has_value());
+    EXPECT_EQ(zip.error().kind, FindingKind::zip_too_large);
+    EXPECT_EQ(zip.error().value, 64.0);
+}
+
+TEST(Export, WithoutTheWorkerIsSaid) {
+    const auto pack = read_pack(made::zip(made::small_pack()));
+    ASSERT_TRUE(pack.has_value());
+    const LiarInPlace nothing("/nowhere");
+    EXPECT_EQ(zip_of(*pack).error().kind, FindingKind::no_worker);
 }
 
 }  // namespace

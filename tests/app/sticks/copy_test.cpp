@@ -1,7 +1,5 @@
-#include "app/sticks/copy.h"
-
 #include "app/process/memory.h"
-#include "app/sticks/beneath.h"
+#include "app/sticks/stick_reading.h"
 #include "tests/app/sticks/stick_folder.h"
 
 #include <cerrno>

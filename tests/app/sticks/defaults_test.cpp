@@ -1,5 +1,5 @@
 // Tests that what is installed for sticks agrees with the program, and does what it says.
-#include "app/sticks/mount_options.h"
+#include "app/sticks/stick_port.h"
 #include "config/settings/boards.h"
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 // Tries everything that a captured import might try, from inside the sandbox.
 #include "app/sandbox/sandbox.h"
-#include "app/sticks/beneath.h"
-#include "app/sticks/import_program.h"
+#include "app/sticks/stick_reading.h"
 #include "tests/app/sandbox/acts.h"
 #include "tests/app/sticks/stick_folder.h"
 

@@ -1,6 +1,4 @@
-#include "app/sticks/folder_port.h"
-
-#include "app/sticks/open_stick_port.h"
+#include "app/sticks/stick_port.h"
 #include "tests/app/sticks/stick_folder.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 // Tests the kiosk's side and the program together.
 #include "app/sticks/import.h"
 
+#include "app/decode/side_car.h"
 #include "app/process/memory.h"
 #include "app/sandbox/limits.h"
 #include "tests/app/sticks/stick_folder.h"
@@ -86,7 +87,7 @@ TEST_F(StickImportTest, ReadsTheTextBesideAPicture) {
     stick.file("boat.png");
     stick.file("boat.txt", "A boat with two sails");
     stick.file("long.png");
-    stick.file("long.txt", std::string(most_side_car_bytes + 1, 'w'));
+    stick.file("long.txt", std::string(max_side_car_bytes + 1, 'w'));
     stick.file("bare.png");
     const auto text = import.read_side_car(stick.root(), picture("", "boat.png"));
     ASSERT_TRUE(text.has_value());

@@ -1,7 +1,6 @@
 #include "app/sticks/listing.h"
 
-#include "app/sticks/natural_order.h"
-#include "app/sticks/refusal.h"
+#include "app/sticks/names.h"
 
 #include <algorithm>
 #include <set>
@@ -32,12 +31,6 @@ TEST(StickFileKind, LeavesOutWhatIsHiddenOrOfSystems) {
         EXPECT_TRUE(is_left_out(name)) << name;
     for (const char* name : {"boat.png", "a~.png", "$5.png", "lost", "DCIM"})
         EXPECT_FALSE(is_left_out(name)) << name;
-}
-
-TEST(StickFileKind, TheSideCarLiesBeside) {
-    EXPECT_EQ(side_car_of("boat.jpg"), "boat.txt");
-    EXPECT_EQ(side_car_of("a.b.pdf"), "a.b.txt");
-    EXPECT_EQ(side_car_of("boat"), "boat.txt");
 }
 
 TEST(NaturalOrder, IsAsPeopleCount) {

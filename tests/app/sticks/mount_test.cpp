@@ -1,7 +1,7 @@
 // Tests real file systems with real mount options. Only root can mount some, so only a run by root
 // tests them.
 #include "app/sticks/import.h"
-#include "app/sticks/mount_options.h"
+#include "app/sticks/stick_port.h"
 #include "tests/app/sticks/hung_stick.h"
 #include "tests/app/sticks/mounted_image.h"
 #include "tests/app/sticks/stick_folder.h"

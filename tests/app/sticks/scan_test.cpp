@@ -1,5 +1,4 @@
-#include "app/sticks/scan.h"
-
+#include "app/sticks/stick_reading.h"
 #include "tests/app/sticks/stick_folder.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "app/sticks/stick_words.h"
+#include "app/sticks/spoken_list.h"
 
 #include <set>
 

@@ -1,7 +1,7 @@
 // Tests main things with their worker: a handmade network takes what is red for the thing.
 #include "app/trace/finding_things.h"
 
-#include "app/models/picture_network_files.h"
+#include "app/models/networks.h"
 #include "app/trace/page_views.h"
 #include "app/trace/tracing.h"
 #include "tests/app/decode/encoders.h"

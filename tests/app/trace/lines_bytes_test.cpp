@@ -1,5 +1,5 @@
 // Tests found lines as they pass between two workers.
-#include "app/trace/lines_bytes.h"
+#include "app/trace/worker_values.h"
 
 #include <cstring>
 #include <limits>
