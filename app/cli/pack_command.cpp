@@ -1,6 +1,5 @@
 #include "app/cli/pack_command.h"
 
-#include "app/decode/files.h"
 #include "app/packs/pack_check.h"
 #include "app/packs/pack_export.h"
 #include "app/packs/pack_library.h"
@@ -66,15 +65,8 @@ Result<void> import(const PackCommandOptions& options, std::ostream& out) {
 }
 
 Result<void> write(const PackCommandOptions& options) {
-    if (options.image_language.empty()) {
-        const auto written = export_pack(options.input, options.output);
-        return written ? Result<void>{} : failed(written.error());
-    }
-    const auto pack = read_pack(options.input);
-    if (!pack) return failed(pack.error());
-    const auto layered = with_image_layers(*pack, options.image_language);
-    if (!layered) return failed(layered.error());
-    return write_whole_file(options.output, zip_of(*layered));
+    const auto written = export_pack(options.input, options.output, options.image_language);
+    return written ? Result<void>{} : failed(written.error());
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // Any bytes give a name that can be shown, said and sorted without harm.
+#include "app/decode/side_car.h"
 #include "app/sticks/file_kind.h"
 #include "app/sticks/first_letters.h"
 #include "app/sticks/names.h"
