@@ -1,7 +1,5 @@
 #include "vision/contour/centring.h"
 
-#include "vision/contour/ends.h"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>

@@ -1,8 +1,5 @@
 #include "vision/contour/corners.h"
 
-#include "vision/contour/ends.h"
-#include "vision/contour/sampling.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

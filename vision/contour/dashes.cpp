@@ -1,7 +1,5 @@
 #include "vision/contour/dashes.h"
 
-#include "vision/contour/ends.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -21,7 +19,7 @@ constexpr double kMostBend = 60.0 * std::numbers::pi / 180.0;  // round the corn
 constexpr double kMostTurnAtDot = 90.0 * std::numbers::pi / 180.0;
 constexpr double kMostTurnAtTip = 150.0 * std::numbers::pi / 180.0;
 constexpr double kCorner = 40.0 * std::numbers::pi / 180.0;  // a turn of less is a curve's
-constexpr double kParallel = 0.03;  // the square of the sine between courses: they meet nowhere
+constexpr double kSameCourse = 0.03;  // the square of the sine between courses: they meet nowhere
 constexpr double kDashOverWidth = 1.4;
 constexpr std::size_t kLeastDashes = 3;
 constexpr std::size_t kLeastDots = 5;
@@ -34,7 +32,7 @@ constexpr std::size_t kNobody = std::numeric_limits<std::size_t>::max();
 
 /// A dash or a dot. Its two ends are EndIds of its place in the list of pieces; a dot's ends point
 /// nowhere.
-struct Piece {
+struct DashOrDot {
     std::size_t line = 0;
     std::vector<EdgePoint> way;  // the middle line of a dash; of a dot its middle
     double length_px = 0.0;      // of its ink
@@ -45,7 +43,7 @@ struct Piece {
 };
 
 /// Returns a ring of ink as a piece: a dot, or a dash too short to have been a stroke.
-std::optional<Piece> piece_of_ring(const Chain& line, std::size_t number, double mm_px) {
+std::optional<DashOrDot> piece_of_ring(const Chain& line, std::size_t number, double mm_px) {
     std::vector<cv::Point2f> points;
     for (const EdgePoint& p : line.points) {
         points.emplace_back(p.at);
@@ -61,22 +59,22 @@ std::optional<Piece> piece_of_ring(const Chain& line, std::size_t number, double
     const cv::Point2d middle(box.center);
     const bool is_dot = long_px < kDashOverWidth * short_px;
     if (is_dot) {
-        return Piece{number, {{middle, strength, false}}, long_px, long_px, true};
+        return DashOrDot{number, {{middle, strength, false}}, long_px, long_px, true};
     }
     const double turned =
         (static_cast<double>(box.angle) + (size.width >= size.height ? 0.0 : 90.0)) *
         std::numbers::pi / 180.0;
     const cv::Point2d along(std::cos(turned), std::sin(turned));
     const cv::Point2d half = 0.5 * (long_px - short_px) * along;
-    return Piece{number,
-                 {{middle - half, strength, false}, {middle + half, strength, false}},
-                 long_px,
-                 short_px,
-                 false};
+    return DashOrDot{number,
+                     {{middle - half, strength, false}, {middle + half, strength, false}},
+                     long_px,
+                     short_px,
+                     false};
 }
 
-std::vector<Piece> pieces_of(const std::vector<Chain>& lines, double mm_px) {
-    std::vector<Piece> pieces;
+std::vector<DashOrDot> pieces_of(const std::vector<Chain>& lines, double mm_px) {
+    std::vector<DashOrDot> pieces;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const Chain& line = lines[i];
         if (line.points.empty()) {
@@ -154,7 +152,7 @@ class Joiner {
         }
     }
 
-    [[nodiscard]] const Piece& piece(EndId end) const { return pieces_[chain_of(end)]; }
+    [[nodiscard]] const DashOrDot& piece(EndId end) const { return pieces_[chain_of(end)]; }
 
     [[nodiscard]] cv::Point2d place(EndId end) const {
         return is_back(end) ? piece(end).way.back().at : piece(end).way.front().at;
@@ -191,7 +189,7 @@ class Joiner {
         if (angle_between(from_a.direction, -from_b.direction) < kCorner) {
             return straight;
         }
-        const auto corner = crossing_of({from_a, from_b}, kParallel);
+        const auto corner = crossing_of({from_a, from_b}, kSameCourse);
         if (!corner) {
             return straight;
         }
@@ -217,7 +215,7 @@ class Joiner {
 
     /// Returns the dot at a corner: a dash bent round a sharp corner is as wide as it is long.
     [[nodiscard]] std::size_t dot_at(const cv::Point2d& corner) const {
-        const auto at = std::ranges::find_if(pieces_, [&](const Piece& piece) {
+        const auto at = std::ranges::find_if(pieces_, [&](const DashOrDot& piece) {
             return piece.is_dot && distance(piece.middle(), corner) <= 0.75 * piece.length_px;
         });
         return at == pieces_.end() ? kNobody : static_cast<std::size_t>(at - pieces_.begin());
@@ -317,15 +315,15 @@ class Joiner {
     }
 
     /// Short dashes may look like dots; then they are as long as those that do not.
-    [[nodiscard]] static bool are_of_a_kind(const Piece& one, const Piece& other) {
+    [[nodiscard]] static bool are_of_a_kind(const DashOrDot& one, const DashOrDot& other) {
         constexpr double kAsLong = 0.2;
         return one.is_dot == other.is_dot || std::abs(one.length_px - other.length_px) <=
                                                  kAsLong * std::max(one.length_px, other.length_px);
     }
 
     void consider(EndId a, EndId b, double widest_gap_px, std::vector<Link>& links) const {
-        const Piece& one = piece(a);
-        const Piece& other = piece(b);
+        const DashOrDot& one = piece(a);
+        const DashOrDot& other = piece(b);
         const bool is_second_of_a_dot = (one.is_dot && is_back(a)) || (other.is_dot && is_back(b));
         if (&one == &other || is_second_of_a_dot || !are_of_a_kind(one, other) ||
             is_in_field_[chain_of(a)] || is_in_field_[chain_of(b)] ||
@@ -412,7 +410,7 @@ class Joiner {
         line.is_closed = is_ring;
         line.of = are_dots(way) ? LineOf::dotted : LineOf::dashed;
         for (std::size_t i = 0; i < way.size(); ++i) {
-            const Piece& part = piece(way[i]);
+            const DashOrDot& part = piece(way[i]);
             line.width_px = std::max(line.width_px, part.width_px);
             std::vector<EdgePoint> points = part.way;
             if (is_back(way[i])) {
@@ -441,7 +439,7 @@ class Joiner {
 
     std::vector<Chain> lines_;
     double mm_px_;
-    std::vector<Piece> pieces_;
+    std::vector<DashOrDot> pieces_;
     std::vector<bool> is_in_field_;
     std::vector<cv::Point2d> directions_;  // of each end
     std::vector<EndId> to_;                // of each end

@@ -1,6 +1,6 @@
 #include "vision/contour/fading.h"
 
-#include "vision/contour/region_runs.h"
+#include "vision/contour/region_map.h"
 
 #include <algorithm>
 #include <cmath>

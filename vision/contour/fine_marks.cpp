@@ -1,7 +1,7 @@
 #include "vision/contour/fine_marks.h"
 
 #include "vision/contour/ink_parts.h"
-#include "vision/prepare/ink.h"
+#include "vision/prepare/paper.h"
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kAround_px = 9;          // where a mark's own darkest point is looked for
 constexpr double kOfItsDarkest = 0.4;  // half is lost if a hair lies between two pixels
-constexpr int kBeside_px = 3;          // from a border: mixtures of both colours
+constexpr int kMixed_px = 3;           // from a border: mixtures of both colours
 constexpr double kMostUneven = 0.2;    // of an area's pixels; with more it is not a flat colour
 constexpr int kJustOutside_px = 2;
 constexpr double kFadedOut = 0.4;     // of the contrast within: this little just outside of a mark
@@ -169,7 +169,7 @@ FineMarks fine_marks(const LabPicture& lab, const Areas& areas, const cv::Mat1b&
     // A picture that no camera saw has no dirt.
     const double floor = least_contrast(noise, noise < kNoGrain ? 0.0 : strongest_of(areas));
     cv::Mat1f contrast = contrast_to(lab, areas);
-    const cv::Mat1b mixed = near_borders(areas.map, kBeside_px + cvCeil(2.0 * smoothing_px));
+    const cv::Mat1b mixed = near_borders(areas.map, kMixed_px + cvCeil(2.0 * smoothing_px));
     contrast.setTo(0.0, mixed);
     cv::Mat1f around;
     cv::dilate(contrast, around, cv::Mat::ones(kAround_px, kAround_px, CV_8U));

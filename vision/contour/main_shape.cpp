@@ -1,10 +1,8 @@
 #include "vision/contour/main_shape.h"
 
 #include "vision/contour/gradient.h"
-#include "vision/contour/palette.h"
-#include "vision/contour/region_borders.h"
-#include "vision/contour/ring_snap.h"
-#include "vision/contour/sampling.h"
+#include "vision/contour/region_map.h"
+#include "vision/contour/rings.h"
 
 #include <algorithm>
 #include <array>

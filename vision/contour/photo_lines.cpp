@@ -3,10 +3,7 @@
 #include "vision/contour/corners.h"
 #include "vision/contour/double_edges.h"
 #include "vision/contour/edge_lines.h"
-#include "vision/contour/edge_strength.h"
-#include "vision/contour/finger.h"
 #include "vision/contour/linking.h"
-#include "vision/contour/scale.h"
 #include "vision/contour/texture.h"
 
 #include <algorithm>

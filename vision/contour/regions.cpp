@@ -8,12 +8,9 @@
 #include "vision/contour/ink_parts.h"
 #include "vision/contour/junctions.h"
 #include "vision/contour/linking.h"
-#include "vision/contour/palette.h"
-#include "vision/contour/region_borders.h"
 #include "vision/contour/region_map.h"
+#include "vision/contour/rings.h"
 #include "vision/contour/strokes.h"
-#include "vision/contour/thin_parts.h"
-#include "vision/prepare/painted_over.h"
 #include "vision/prepare/paper.h"
 
 #include <algorithm>

@@ -2,14 +2,13 @@
 
 #include "vision/contour/centring.h"
 #include "vision/contour/corners.h"
+#include "vision/contour/courses.h"
 #include "vision/contour/grid_lines.h"
-#include "vision/contour/hairpins.h"
 #include "vision/contour/ink_parts.h"
 #include "vision/contour/joints.h"
 #include "vision/contour/junctions.h"
-#include "vision/contour/region_borders.h"
+#include "vision/contour/rings.h"
 #include "vision/contour/skeleton.h"
-#include "vision/contour/thinning.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 
 #include "vision/contour/chain.h"
 #include "vision/contour/gradient.h"
-#include "vision/prepare/ink.h"
+#include "vision/prepare/paper.h"
 
 namespace touchline {
 

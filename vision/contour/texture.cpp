@@ -1,6 +1,6 @@
 #include "vision/contour/texture.h"
 
-#include "vision/contour/iso_rings.h"
+#include "vision/contour/rings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ namespace {
 constexpr double kCellsPerSpacing = 2.0;
 constexpr double kSmoothing_cells = 3.0;
 constexpr double kMostOfPicture = 0.5;  // more is the picture itself
-constexpr double kMostOfLine = 0.5;
+constexpr double kMostlyThere = 0.5;
 constexpr int kFewestLines = 8;
 
 class TextureMap {
@@ -121,7 +121,7 @@ class TextureMap {
             const int area = areas_(cell_of(points[points.size() / 2].at));
             const auto there = std::ranges::count_if(
                 points, [&](const EdgePoint& p) { return areas_(cell_of(p.at)) == area; });
-            if (static_cast<double>(there) >= kMostOfLine * static_cast<double>(points.size())) {
+            if (static_cast<double>(there) >= kMostlyThere * static_cast<double>(points.size())) {
                 area_of_[c] = area;
                 Lines& lines = lines_in_[static_cast<std::size_t>(area)];
                 ++lines.count;

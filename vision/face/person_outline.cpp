@@ -1,9 +1,8 @@
 #include "vision/face/person_outline.h"
 
-#include "vision/contour/iso_rings.h"
-#include "vision/contour/sampling.h"
-#include "vision/contour/stretches.h"
-#include "vision/face/picture_part.h"
+#include "vision/contour/chain.h"
+#include "vision/contour/rings.h"
+#include "vision/face/face_mesh.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,9 +1,7 @@
 #include "vision/prepare/sheet_edge.h"
 
 #include "vision/contour/gradient.h"
-#include "vision/prepare/painted_over.h"
 #include "vision/prepare/paper.h"
-#include "vision/prepare/punched_holes.h"
 #include "vision/prepare/sheet_sides.h"
 
 #include <algorithm>

@@ -1,9 +1,8 @@
 #include "vision/simplify/narrow_parts.h"
 
-#include "vision/contour/iso_rings.h"
 #include "vision/contour/junctions.h"
+#include "vision/contour/rings.h"
 #include "vision/contour/skeleton.h"
-#include "vision/contour/thinning.h"
 
 #include <algorithm>
 #include <cmath>

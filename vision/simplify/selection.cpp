@@ -1,16 +1,34 @@
 #include "vision/simplify/selection.h"
 
-#include "vision/contour/finger.h"
-#include "vision/simplify/loops.h"
+#include "config/types/map_limits.h"
 #include "vision/simplify/narrow_parts.h"
 #include "vision/simplify/surroundings.h"
 #include "vision/simplify/zoom.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace touchline {
 namespace {
+
+constexpr double kLength_mm =
+    150.0;  // about once round a thing of a hand's size: longer counts little more
+constexpr double kOpen = 2.0 / 3.0;
+constexpr double kInside = 0.7;
+constexpr double kLeastStrength = 1e-6;  // of `high`: the part of a border in a zoom may have none
+
+double salience_of(const Chain& line, double outer_share, double high) {
+    double sum = 0.0;
+    for (const EdgePoint& p : line.points) {
+        sum += p.strength;
+    }
+    const double r = std::max(kLeastStrength, sum / static_cast<double>(line.points.size()) / high);
+    const double length = 1.0 - std::exp(-length_of(line) / kLength_mm);
+    const double salience = r / (1.0 + r) * length * (line.is_closed ? 1.0 : kOpen) *
+                            (kInside + (1.0 - kInside) * outer_share);
+    return std::max(MapLimits::least_weight, salience);
+}
 
 constexpr double kLargeRegion = 0.03;  // of the area
 constexpr double kOuterShare = 0.25;   // of a line whose other side looks into the picture
@@ -52,6 +70,18 @@ Chain with_own_foot(const Fit& fit, std::size_t number) {
 }
 
 }  // namespace
+
+std::vector<RankedLine> ranked(std::vector<Chain> lines, const std::vector<double>& outer_shares,
+                               double high) {
+    std::vector<RankedLine> order;
+    order.reserve(lines.size());
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const double salience = salience_of(lines[i], outer_shares[i], high);
+        order.push_back({std::move(lines[i]), salience, outer_shares[i]});
+    }
+    std::ranges::stable_sort(order, std::ranges::greater{}, &RankedLine::salience);
+    return order;
+}
 
 Selection::Selection(const DetailLimits& limits, cv::Size2d area_mm)
     : limits_(limits),

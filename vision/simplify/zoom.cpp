@@ -1,8 +1,5 @@
 #include "vision/simplify/zoom.h"
 
-#include "config/types/map_frame.h"
-
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>

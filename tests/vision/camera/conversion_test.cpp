@@ -1,6 +1,5 @@
-#include "vision/camera/conversion.h"
-
 #include "tests/vision/camera/frames.h"
+#include "vision/camera/frame.h"
 
 #include <random>
 

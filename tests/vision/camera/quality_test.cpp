@@ -1,7 +1,6 @@
-#include "vision/camera/quality.h"
-
 #include "tests/vision/camera/frames.h"
 #include "vision/camera/capture_sequence.h"
+#include "vision/camera/frame.h"
 
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>

@@ -1,4 +1,4 @@
-#include "vision/camera/stream_choice.h"
+#include "vision/camera/stream_camera.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,6 @@
 #include "vision/contour/gradient.h"
 
 #include "vision/contour/edge_lines.h"
-#include "vision/contour/scale.h"
 
 #include <cmath>
 

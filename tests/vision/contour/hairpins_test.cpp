@@ -1,4 +1,4 @@
-#include "vision/contour/hairpins.h"
+#include "vision/contour/courses.h"
 
 #include <algorithm>
 #include <cstddef>

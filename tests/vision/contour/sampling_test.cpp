@@ -1,4 +1,4 @@
-#include "vision/contour/sampling.h"
+#include "vision/contour/chain.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "vision/face/face_boxes.h"
+#include "vision/face/face_network.h"
 
 #include <algorithm>
 #include <array>

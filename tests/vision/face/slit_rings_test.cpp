@@ -1,4 +1,4 @@
-#include "vision/face/slit_rings.h"
+#include "vision/face/face_map.h"
 
 #include <algorithm>
 #include <cmath>

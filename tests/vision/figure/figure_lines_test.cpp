@@ -1,7 +1,6 @@
 // A photograph made for the test: an animal with thin legs before a striped wall, with noise.
-#include "vision/figure/figure_lines.h"
-
 #include "config/types/map_bytes.h"
+#include "vision/figure/figures.h"
 #include "vision/simplify/trace.h"
 
 #include <algorithm>

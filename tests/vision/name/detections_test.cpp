@@ -1,4 +1,4 @@
-#include "vision/name/detections.h"
+#include "vision/name/name_network.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "vision/prepare/document.h"
 
 #include "tests/vision/prepare/page_photos.h"
-#include "vision/prepare/rectify.h"
+#include "vision/prepare/quad.h"
 
 #include <cmath>
 

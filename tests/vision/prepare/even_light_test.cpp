@@ -1,6 +1,5 @@
-#include "vision/prepare/even_light.h"
-
 #include "tests/vision/prepare/page_photos.h"
+#include "vision/prepare/page_light.h"
 #include "vision/prepare/paper.h"
 
 #include <algorithm>

@@ -1,6 +1,5 @@
-#include "vision/prepare/page_search.h"
-
 #include "tests/vision/prepare/page_photos.h"
+#include "vision/prepare/document.h"
 
 #include <algorithm>
 

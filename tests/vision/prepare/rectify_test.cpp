@@ -1,6 +1,5 @@
-#include "vision/prepare/rectify.h"
-
-#include "vision/prepare/capture_trouble.h"
+#include "vision/prepare/document.h"
+#include "vision/prepare/quad.h"
 
 #include <algorithm>
 #include <cmath>

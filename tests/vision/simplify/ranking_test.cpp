@@ -1,6 +1,5 @@
-#include "vision/simplify/ranking.h"
-
 #include "config/types/map_limits.h"
+#include "vision/simplify/selection.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,8 @@
 // The stages of simplifying, each on its own, on lines in millimetres.
 #include "tests/exact/orientation.h"
-#include "vision/simplify/breaks.h"
 #include "vision/simplify/detail_limits.h"
-#include "vision/simplify/loops.h"
-#include "vision/simplify/parts.h"
 #include "vision/simplify/shaping.h"
-#include "vision/simplify/silhouettes.h"
+#include "vision/simplify/simplify.h"
 #include "vision/simplify/spacing.h"
 #include "vision/simplify/surroundings.h"
 

@@ -1,4 +1,4 @@
-#include "vision/camera/conversion.h"
+#include "vision/camera/frame.h"
 
 #include <algorithm>
 #include <cmath>
@@ -130,6 +130,9 @@ cv::Mat convert_yuyv(const CameraFrame& frame) {
     return bgr;
 }
 
+/// Converters and compression stop a little below 255.
+constexpr int clipped_from = 253;
+
 }  // namespace
 
 cv::Size reduced_size(cv::Size size, std::int64_t pixels) {
@@ -173,6 +176,19 @@ Result<cv::Mat> to_bgr(const CameraFrame& frame, cv::Size wanted) {
     cv::Mat out;
     cv::resize(bgr, out, wanted, 0, 0, cv::INTER_AREA);
     return out;
+}
+
+FrameQuality measure_quality(const cv::Mat& bgr) {
+    cv::Mat grey;
+    cv::cvtColor(bgr, grey, cv::COLOR_BGR2GRAY);
+    cv::Mat laplacian;
+    cv::Laplacian(grey, laplacian, CV_16S);
+    cv::Scalar mean;
+    cv::Scalar deviation;
+    cv::meanStdDev(laplacian, mean, deviation);
+    const int clipped = cv::countNonZero(grey >= clipped_from);
+    return {deviation[0] * deviation[0],
+            static_cast<double>(clipped) / static_cast<double>(grey.total()), cv::mean(grey)[0]};
 }
 
 }  // namespace touchline
