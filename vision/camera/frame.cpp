@@ -61,23 +61,6 @@ Result<cv::Mat> decode_jpeg(const CameraFrame& frame, cv::Size wanted) {
     return bgr;
 }
 
-/// Returns the number of bytes that a frame's rows take; the last row need not be padded.
-std::size_t least_bytes(const CameraFrame& frame) {
-    const auto width = static_cast<std::size_t>(frame.size.width);
-    const auto height = static_cast<std::size_t>(frame.size.height);
-    switch (frame.format) {
-        case PixelFormat::mjpeg:
-            return 1;
-        case PixelFormat::yuyv:
-            return frame.stride_bytes * (height - 1) + 2 * width;
-        case PixelFormat::nv12:
-            return frame.stride_bytes * (height + height / 2 - 1) + width;
-        case PixelFormat::bgr:
-            return frame.stride_bytes * (height - 1) + 3 * width;
-    }
-    return 0;
-}
-
 std::size_t least_stride(const CameraFrame& frame) {
     const auto width = static_cast<std::size_t>(frame.size.width);
     switch (frame.format) {
@@ -91,6 +74,14 @@ std::size_t least_stride(const CameraFrame& frame) {
             return 3 * width;
     }
     return 0;
+}
+
+/// Returns the number of bytes that a frame's rows take; the last row need not be padded.
+std::size_t least_bytes(const CameraFrame& frame) {
+    if (frame.format == PixelFormat::mjpeg) return 1;
+    const auto height = static_cast<std::size_t>(frame.size.height);
+    const std::size_t rows = frame.format == PixelFormat::nv12 ? height + height / 2 : height;
+    return frame.stride_bytes * (rows - 1) + least_stride(frame);
 }
 
 bool has_odd_size(const CameraFrame& frame) {
@@ -123,15 +114,6 @@ cv::Mat convert_nv12(const CameraFrame& frame, cv::Size wanted) {
     cv::cvtColorTwoPlane(small_luma, small_chroma, bgr, cv::COLOR_YUV2BGR_NV12);
     return bgr;
 }
-
-cv::Mat convert_yuyv(const CameraFrame& frame) {
-    cv::Mat bgr;
-    cv::cvtColor(rows_of(frame, CV_8UC2, 0, frame.size), bgr, cv::COLOR_YUV2BGR_YUYV);
-    return bgr;
-}
-
-/// Converters and compression stop a little below 255.
-constexpr int clipped_from = 253;
 
 }  // namespace
 
@@ -168,7 +150,7 @@ Result<cv::Mat> to_bgr(const CameraFrame& frame, cv::Size wanted) {
     } else if (frame.format == PixelFormat::nv12) {
         bgr = convert_nv12(frame, wanted);
     } else if (frame.format == PixelFormat::yuyv) {
-        bgr = convert_yuyv(frame);
+        cv::cvtColor(rows_of(frame, CV_8UC2, 0, frame.size), bgr, cv::COLOR_YUV2BGR_YUYV);
     } else {
         bgr = rows_of(frame, CV_8UC3, 0, frame.size);
     }
@@ -186,6 +168,7 @@ FrameQuality measure_quality(const cv::Mat& bgr) {
     cv::Scalar mean;
     cv::Scalar deviation;
     cv::meanStdDev(laplacian, mean, deviation);
+    constexpr int clipped_from = 253;  // converters and compression stop a little below 255
     const int clipped = cv::countNonZero(grey >= clipped_from);
     return {deviation[0] * deviation[0],
             static_cast<double>(clipped) / static_cast<double>(grey.total()), cv::mean(grey)[0]};

@@ -3,6 +3,7 @@
 #include "vision/camera/frame.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <tuple>
 #include <utility>
@@ -16,18 +17,11 @@ std::int64_t pixels(const StreamMode& mode) {
     return std::int64_t{mode.size.width} * mode.size.height;
 }
 
-int cost(PixelFormat format) {
-    switch (format) {
-        case PixelFormat::bgr:
-            return 0;
-        case PixelFormat::nv12:
-            return 1;
-        case PixelFormat::yuyv:
-            return 2;
-        case PixelFormat::mjpeg:
-            return 3;
-    }
-    return 4;
+/// In the order of PixelFormat: how much it costs to get pixels.
+constexpr std::array kCosts{2, 3, 1, 0};
+
+int cost(const StreamMode& mode) {
+    return kCosts[static_cast<std::size_t>(mode.format)];
 }
 
 bool is_enough(const StreamMode& mode) {
@@ -37,12 +31,11 @@ bool is_enough(const StreamMode& mode) {
 bool is_better_preview(const StreamMode& a, const StreamMode& b) {
     if (is_enough(a) != is_enough(b)) return is_enough(a);
     const std::int64_t sign = is_enough(a) ? 1 : -1;
-    return std::tuple(sign * pixels(a), cost(a.format)) <
-           std::tuple(sign * pixels(b), cost(b.format));
+    return std::tuple(sign * pixels(a), cost(a)) < std::tuple(sign * pixels(b), cost(b));
 }
 
 bool is_better_still(const StreamMode& a, const StreamMode& b) {
-    return std::tuple(-pixels(a), cost(a.format)) < std::tuple(-pixels(b), cost(b.format));
+    return std::tuple(-pixels(a), cost(a)) < std::tuple(-pixels(b), cost(b));
 }
 
 template <class Better>

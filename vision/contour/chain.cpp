@@ -46,6 +46,14 @@ Chain even_ring(std::vector<EdgePoint> ring, double spacing_px) {
 
 }  // namespace
 
+std::vector<double> arc_lengths(const std::vector<EdgePoint>& points) {
+    std::vector<double> lengths{0.0};
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        lengths.push_back(lengths.back() + distance(points[i - 1].at, points[i].at));
+    }
+    return lengths;
+}
+
 Ray ray_at(const std::vector<EdgePoint>& line, bool at_back, double skip_px, double span_px) {
     const std::size_t n = line.size();
     const auto at = [&](std::size_t i) { return line[at_back ? n - 1 - i : i].at; };
@@ -82,9 +90,7 @@ std::optional<cv::Point2d> crossing_of(const std::vector<Ray>& rays, double leas
         a += across;
         b += across * cv::Vec2d(ray.from.x, ray.from.y);
     }
-    if (!(cv::determinant(a) >= least)) {
-        return std::nullopt;
-    }
+    if (!(cv::determinant(a) >= least)) return std::nullopt;
     const cv::Vec2d solution = a.inv() * b;
     return cv::Point2d(solution[0], solution[1]);
 }
@@ -95,13 +101,9 @@ PointGrid::PointGrid(const std::vector<Chain>& chains, cv::Size picture, double 
       rows_(static_cast<int>(picture.height / cell_px) + 1),
       start_(static_cast<std::size_t>(columns_ * rows_) + 1, 0) {
     for (const Chain& chain : chains) {
-        for (const EdgePoint& point : chain.points) {
-            ++start_[cell_of(point.at) + 1];
-        }
+        for (const EdgePoint& point : chain.points) ++start_[cell_of(point.at) + 1];
     }
-    for (std::size_t i = 1; i < start_.size(); ++i) {
-        start_[i] += start_[i - 1];
-    }
+    for (std::size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
     refs_.resize(start_.back());
     std::vector<std::size_t> next = start_;
     for (std::size_t c = 0; c < chains.size(); ++c) {
@@ -124,9 +126,7 @@ std::size_t PointGrid::cell_of(const cv::Point2d& p) const {
 }
 
 std::vector<EdgePoint> evenly_spaced(const std::vector<EdgePoint>& line, int n) {
-    if (line.empty()) {
-        return {};
-    }
+    if (line.empty()) return {};
     const double step = length_of({line, false}) / n;
     std::vector<EdgePoint> even;
     even.reserve(static_cast<std::size_t>(n) + 1);
@@ -152,15 +152,11 @@ std::vector<EdgePoint> evenly_spaced(const std::vector<EdgePoint>& line, int n) 
 }
 
 Chain resampled(const Chain& chain, double spacing_px) {
-    if (chain.points.empty()) {
-        return chain;
-    }
+    if (chain.points.empty()) return chain;
     std::vector<EdgePoint> points = chain.points;
     if (chain.is_closed) {
         const auto fixed = std::ranges::find_if(points, &EdgePoint::is_fixed);
-        if (fixed == points.end()) {
-            return even_ring(std::move(points), spacing_px);
-        }
+        if (fixed == points.end()) return even_ring(std::move(points), spacing_px);
         std::ranges::rotate(points, fixed);
         points.push_back(points.front());
     }
@@ -178,9 +174,7 @@ Chain resampled(const Chain& chain, double spacing_px) {
             ++corners;
         }
     }
-    if (chain.is_closed) {
-        even.points.pop_back();
-    }
+    if (chain.is_closed) even.points.pop_back();
     return even;
 }
 

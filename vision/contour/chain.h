@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -47,6 +48,12 @@ struct Chain {
     return cv::norm(a - b);
 }
 
+/// Returns the pixel nearest to a place.
+[[nodiscard]] inline cv::Point pixel_at(const cv::Point2d& at, cv::Size picture) {
+    return {std::clamp(cvRound(at.x), 0, picture.width - 1),
+            std::clamp(cvRound(at.y), 0, picture.height - 1)};
+}
+
 /// Returns the arc length in pixels; a closed chain's closing segment counts.
 [[nodiscard]] inline double length_of(const Chain& chain) {
     double sum = 0.0;
@@ -56,6 +63,21 @@ struct Chain {
     return chain.is_closed && !chain.points.empty()
                ? sum + distance(chain.points.back().at, chain.points.front().at)
                : sum;
+}
+
+/// Returns the arc length in pixels up to each point; 0 for the first. O(points).
+[[nodiscard]] std::vector<double> arc_lengths(const std::vector<EdgePoint>& points);
+
+/// Returns the points from ... to - 1.
+[[nodiscard]] inline std::vector<EdgePoint> part_of(const std::vector<EdgePoint>& points,
+                                                    std::size_t from, std::size_t to) {
+    const auto at = [&](std::size_t i) { return points.begin() + static_cast<std::ptrdiff_t>(i); };
+    return {at(from), at(to)};
+}
+
+/// Makes a ring begin at another of its points.
+inline void begin_at(std::size_t first, std::vector<EdgePoint>& ring) {
+    std::ranges::rotate(ring, ring.begin() + static_cast<std::ptrdiff_t>(first));
 }
 
 /// One end of an open chain: 2 x chain index, + 1 for its back.
@@ -75,6 +97,14 @@ using EndId = std::size_t;
 
 [[nodiscard]] constexpr bool is_back(EndId end) {
     return end % 2 == 1;
+}
+
+/// In the place of an end: there is none.
+inline constexpr EndId kNoEnd = std::numeric_limits<EndId>::max();
+
+[[nodiscard]] inline const EdgePoint& point_at(const std::vector<Chain>& lines, EndId end) {
+    const std::vector<EdgePoint>& points = lines[chain_of(end)].points;
+    return is_back(end) ? points.back() : points.front();
 }
 
 /// A point as a key: the arms of a junction share theirs, bit for bit.
@@ -129,9 +159,7 @@ class PointGrid {
         for (int r = row(centre.y - radius_px); r <= row(centre.y + radius_px); ++r) {
             const auto first = static_cast<std::size_t>(r * columns_ + left);
             const auto last = static_cast<std::size_t>(r * columns_ + right);
-            for (std::size_t i = start_[first]; i < start_[last + 1]; ++i) {
-                visit(refs_[i]);
-            }
+            for (std::size_t i = start_[first]; i < start_[last + 1]; ++i) visit(refs_[i]);
         }
     }
 
@@ -158,23 +186,16 @@ void cut_by_place(const Chain& line, PlaceOf place_of, Add add) {
     };
     if (line.is_closed) {
         std::size_t start = 0;
-        while (start < points.size() && !is_first(start)) {
-            ++start;
-        }
-        if (start == points.size()) {
-            return add(line, place_of(points.front()));
-        }
-        std::ranges::rotate(points, points.begin() + static_cast<std::ptrdiff_t>(start));
+        while (start < points.size() && !is_first(start)) ++start;
+        if (start == points.size()) return add(line, place_of(points.front()));
+        begin_at(start, points);
     }
     for (std::size_t first = 0; first < points.size();) {
         std::size_t last = first;
         while (last + 1 < points.size() && place_of(points[last + 1]) == place_of(points[first])) {
             ++last;
         }
-        const auto at = [&](std::size_t i) {
-            return points.begin() + static_cast<std::ptrdiff_t>(i);
-        };
-        add(Chain{{at(first), at(last + 1)}, false, line.width_px, line.of},
+        add(Chain{part_of(points, first, last + 1), false, line.width_px, line.of},
             place_of(points[first]));
         first = last + 1;
     }

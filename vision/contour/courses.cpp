@@ -1,5 +1,7 @@
 #include "vision/contour/courses.h"
 
+#include "vision/contour/gradient.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -17,14 +19,6 @@ constexpr double kLeastEnd_px = 3.0;
 constexpr double kStraightEnd_px = 0.7;  // rms about the fitted line
 constexpr double kOwnPart = 0.3;         // of an arm's depths: half the width of its stroke
 constexpr double kLongOverDepth = 6.0;   // shorter arms do not show it
-
-double quantile_of(std::vector<float> values, double part) {
-    if (values.empty()) return 1.0;
-    const auto at =
-        values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
-    std::ranges::nth_element(values, at);
-    return std::max(1.0, static_cast<double>(*at));
-}
 
 /// Fits by least squares through the points between from_px and from_px + span_px of arc length.
 std::pair<Ray, double> fitted(const Chain& arm, EndId end, double from_px, double span_px) {
@@ -127,7 +121,7 @@ class Way {
 std::vector<Chain> parted(Chain arm, std::vector<std::size_t> places) {
     if (arm.is_closed) {
         const std::size_t first = places.front();
-        std::ranges::rotate(arm.points, arm.points.begin() + static_cast<std::ptrdiff_t>(first));
+        begin_at(first, arm.points);
         arm.points.push_back(arm.points.front());
         arm.is_closed = false;
         for (std::size_t& place : places) place -= first;
@@ -137,10 +131,8 @@ std::vector<Chain> parted(Chain arm, std::vector<std::size_t> places) {
     places.push_back(arm.points.size() - 1);
     std::vector<Chain> parts;
     for (std::size_t i = 1; i < places.size(); ++i) {
-        const auto from = arm.points.begin() + static_cast<std::ptrdiff_t>(places[i - 1]);
-        const auto to = arm.points.begin() + static_cast<std::ptrdiff_t>(places[i]);
-        parts.push_back(arm);
-        parts.back().points.assign(from, to + 1);
+        parts.push_back({part_of(arm.points, places[i - 1], places[i] + 1), arm.is_closed,
+                         arm.width_px, arm.of});
     }
     return parts;
 }
@@ -149,16 +141,12 @@ std::vector<Chain> parted(Chain arm, std::vector<std::size_t> places) {
 
 std::vector<float> depths_of(const Chain& arm, const cv::Mat1f& depth) {
     std::vector<float> depths;
-    for (const EdgePoint& point : arm.points) {
-        const cv::Point at(std::clamp(cvRound(point.at.x), 0, depth.cols - 1),
-                           std::clamp(cvRound(point.at.y), 0, depth.rows - 1));
-        depths.push_back(depth(at));
-    }
+    for (const EdgePoint& p : arm.points) depths.push_back(depth(pixel_at(p.at, depth.size())));
     return depths;
 }
 
 double stroke_depth_px(const std::vector<float>& depths) {
-    return quantile_of(depths, kOwnPart);
+    return depths.empty() ? 1.0 : std::max(1.0, static_cast<double>(quantile(depths, kOwnPart)));
 }
 
 double flowed_depth_px(double stroke_depth_px) {

@@ -1,5 +1,7 @@
 #include "vision/contour/dashes.h"
 
+#include "vision/contour/gradient.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -28,7 +30,6 @@ constexpr double kMostAlike = 0.65;        // of the pieces: those at ends and c
 constexpr double kField = 1.6;             // of the second nearest dot: so near are many others
 constexpr std::size_t kMostAtTip = 4;      // so near
 constexpr std::size_t kMostPieces = 2000;  // more are grain, or a tone that is printed in dots
-constexpr std::size_t kNobody = std::numeric_limits<std::size_t>::max();
 
 /// A dash or a dot. Its two ends are EndIds of its place in the list of pieces; a dot's ends point
 /// nowhere.
@@ -45,22 +46,16 @@ struct DashOrDot {
 /// Returns a ring of ink as a piece: a dot, or a dash too short to have been a stroke.
 std::optional<DashOrDot> piece_of_ring(const Chain& line, std::size_t number, double mm_px) {
     std::vector<cv::Point2f> points;
-    for (const EdgePoint& p : line.points) {
-        points.emplace_back(p.at);
-    }
+    for (const EdgePoint& p : line.points) points.emplace_back(p.at);
     const cv::RotatedRect box = cv::minAreaRect(points);
     const cv::Size2d size(box.size);
     const double long_px = std::max(size.width, size.height);
     const double short_px = std::min(size.width, size.height);
-    if (short_px > kWidestDot_mm * mm_px || long_px > kLongestDash_mm * mm_px) {
-        return std::nullopt;
-    }
+    if (short_px > kWidestDot_mm * mm_px || long_px > kLongestDash_mm * mm_px) return std::nullopt;
     const double strength = line.points.front().strength;
     const cv::Point2d middle(box.center);
     const bool is_dot = long_px < kDashOverWidth * short_px;
-    if (is_dot) {
-        return DashOrDot{number, {{middle, strength, false}}, long_px, long_px, true};
-    }
+    if (is_dot) return DashOrDot{number, {{middle, strength, false}}, long_px, long_px, true};
     const double turned =
         (static_cast<double>(box.angle) + (size.width >= size.height ? 0.0 : 90.0)) *
         std::numbers::pi / 180.0;
@@ -77,13 +72,9 @@ std::vector<DashOrDot> pieces_of(const std::vector<Chain>& lines, double mm_px) 
     std::vector<DashOrDot> pieces;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const Chain& line = lines[i];
-        if (line.points.empty()) {
-            continue;
-        }
+        if (line.points.empty()) continue;
         if (line.is_closed) {
-            if (auto piece = piece_of_ring(line, i, mm_px)) {
-                pieces.push_back(std::move(*piece));
-            }
+            if (auto piece = piece_of_ring(line, i, mm_px)) pieces.push_back(std::move(*piece));
             continue;
         }
         const double length_px = length_of(line) + line.width_px;  // its ends lie within its ink
@@ -98,7 +89,7 @@ std::vector<DashOrDot> pieces_of(const std::vector<Chain>& lines, double mm_px) 
 struct Gap {
     double length_px = 0.0;             // along the way
     std::optional<cv::Point2d> corner;  // where the courses of the two meet, off the straight way
-    std::size_t dash = kNobody;         // the piece that is bent round that corner
+    std::size_t dash = kNoEnd;          // the piece that is bent round that corner
 };
 
 struct Link {
@@ -120,10 +111,8 @@ class Joiner {
         for (const bool from_ends : {true, false}) {
             for (std::size_t number = 0; number < pieces_.size(); ++number) {
                 const bool is_end =
-                    to_[front_of(number)] == kNobody || to_[back_of(number)] == kNobody;
-                if (is_walked[number] || is_end != from_ends) {
-                    continue;
-                }
+                    to_[front_of(number)] == kNoEnd || to_[back_of(number)] == kNoEnd;
+                if (is_walked[number] || is_end != from_ends) continue;
                 const std::vector<EndId> way = walked(number, is_walked);
                 if (is_broken_line(way)) {
                     made.push_back(line_through(way, !from_ends));
@@ -133,9 +122,7 @@ class Joiner {
         }
         std::vector<Chain> kept;
         for (std::size_t i = 0; i < lines_.size(); ++i) {
-            if (!is_gone[i]) {
-                kept.push_back(std::move(lines_[i]));
-            }
+            if (!is_gone[i]) kept.push_back(std::move(lines_[i]));
         }
         std::ranges::move(made, std::back_inserter(kept));
         return kept;
@@ -145,10 +132,8 @@ class Joiner {
     void mark_gone(const std::vector<EndId>& way, bool is_ring, std::vector<bool>& is_gone) const {
         for (std::size_t i = 0; i < way.size(); ++i) {
             is_gone[piece(way[i]).line] = true;
-            const std::size_t bent = i > 0 || is_ring ? gap_before(way, i).dash : kNobody;
-            if (bent != kNobody) {
-                is_gone[pieces_[bent].line] = true;
-            }
+            const std::size_t bent = i > 0 || is_ring ? gap_before(way, i).dash : kNoEnd;
+            if (bent != kNoEnd) is_gone[pieces_[bent].line] = true;
         }
     }
 
@@ -166,9 +151,7 @@ class Joiner {
             const EdgePoint& here = is_back(end) ? way[way.size() - 1 - i] : way[i];
             const EdgePoint& before = is_back(end) ? way[way.size() - i] : way[i - 1];
             straight_px += distance(here.at, before.at);
-            if (here.is_fixed) {
-                break;
-            }
+            if (here.is_fixed) break;
         }
         return ray_at(way, is_back(end), 0.0, std::min(straight_px, 0.5 * piece(end).length_px))
             .direction;
@@ -181,18 +164,12 @@ class Joiner {
 
     [[nodiscard]] Gap gap_between(EndId a, EndId b) const {
         const Gap straight{distance(place(a), place(b)) - beyond_px(a) - beyond_px(b), {}};
-        if (piece(a).is_dot || piece(b).is_dot) {
-            return straight;
-        }
+        if (piece(a).is_dot || piece(b).is_dot) return straight;
         const Ray from_a{place(a), direction(a)};
         const Ray from_b{place(b), direction(b)};
-        if (angle_between(from_a.direction, -from_b.direction) < kCorner) {
-            return straight;
-        }
+        if (angle_between(from_a.direction, -from_b.direction) < kCorner) return straight;
         const auto corner = crossing_of({from_a, from_b}, kSameCourse);
-        if (!corner) {
-            return straight;
-        }
+        if (!corner) return straight;
         const double ahead_a = (*corner - from_a.from).dot(from_a.direction);
         const double ahead_b = (*corner - from_b.from).dot(from_b.direction);
         const double farthest_px = (kLongestDash_mm + 2.0 * kWidestGap_mm) * mm_px_;
@@ -201,9 +178,7 @@ class Joiner {
             return straight;
         }
         const Gap bent{ahead_a + ahead_b - beyond_px(a) - beyond_px(b), corner, dot_at(*corner)};
-        if (bent.dash == kNobody) {
-            return bent;
-        }
+        if (bent.dash == kNoEnd) return bent;
         return {0.5 * (bent.length_px - pieces_[bent.dash].length_px), corner, bent.dash};
     }
 
@@ -218,7 +193,7 @@ class Joiner {
         const auto at = std::ranges::find_if(pieces_, [&](const DashOrDot& piece) {
             return piece.is_dot && distance(piece.middle(), corner) <= 0.75 * piece.length_px;
         });
-        return at == pieces_.end() ? kNobody : static_cast<std::size_t>(at - pieces_.begin());
+        return at == pieces_.end() ? kNoEnd : static_cast<std::size_t>(at - pieces_.begin());
     }
 
     [[nodiscard]] double bend(EndId end, const cv::Point2d& way) const {
@@ -254,10 +229,8 @@ class Joiner {
     }
 
     void link() {
-        to_.assign(2 * pieces_.size(), kNobody);
-        if (pieces_.size() > kMostPieces) {
-            return;
-        }
+        to_.assign(2 * pieces_.size(), kNoEnd);
+        if (pieces_.size() > kMostPieces) return;
         find_fields();
         for (EndId end = 0; end < 2 * pieces_.size(); ++end) {
             directions_.push_back(straight_direction(end));
@@ -265,7 +238,7 @@ class Joiner {
         link_where(kWidestGap_mm * mm_px_, kMostTurnAtDot, [](EndId) { return true; });
         // Continues what was begun round a sharp tip of dots, or past a missing dash.
         link_where(usual_pitch_px(), kMostTurnAtTip,
-                   [&](EndId end) { return to_[end] != kNobody || to_[end ^ 1U] != kNobody; });
+                   [&](EndId end) { return to_[end] != kNoEnd || to_[end ^ 1U] != kNoEnd; });
     }
 
     template <class Counts>
@@ -273,20 +246,16 @@ class Joiner {
         std::vector<Link> links;
         std::vector<EndId> ends;
         for (EndId end = 0; end < 2 * pieces_.size(); ++end) {
-            if (counts(end)) {
-                ends.push_back(end);
-            }
+            if (counts(end)) ends.push_back(end);
         }
         for (auto a = ends.begin(); a != ends.end(); ++a) {
-            for (auto b = a + 1; b != ends.end(); ++b) {
-                consider(*a, *b, widest_gap_px, links);
-            }
+            for (auto b = a + 1; b != ends.end(); ++b) consider(*a, *b, widest_gap_px, links);
         }
         std::ranges::stable_sort(links, {}, &Link::cost);
         for (const Link& link : links) {
             const EndId a = free_end(link.a);
             const EndId b = free_end(link.b);
-            const bool is_taken = to_[a] != kNobody || to_[b] != kNobody;
+            const bool is_taken = to_[a] != kNoEnd || to_[b] != kNoEnd;
             if (!is_taken && leads_on(a, b, most_turn) && leads_on(b, a, most_turn) &&
                 !are_linked(a, b)) {
                 to_[a] = b;
@@ -300,18 +269,14 @@ class Joiner {
     [[nodiscard]] double usual_pitch_px() const {
         std::vector<double> pitches;
         for (EndId end = 0; end < to_.size(); ++end) {
-            if (to_[end] != kNobody && end < to_[end]) {
+            if (to_[end] != kNoEnd && end < to_[end]) {
                 pitches.push_back(2.0 * gap_between(end, to_[end]).length_px +
                                   piece(end).length_px);
             }
         }
         const double widest_px = kWidestGap_mm * mm_px_;
-        if (pitches.empty()) {
-            return widest_px;
-        }
-        const auto middle = pitches.begin() + static_cast<std::ptrdiff_t>(pitches.size() / 2);
-        std::ranges::nth_element(pitches, middle);
-        return std::max(widest_px, *middle);
+        if (pitches.empty()) return widest_px;
+        return std::max(widest_px, median(std::move(pitches)));
     }
 
     /// Short dashes may look like dots; then they are as long as those that do not.
@@ -331,9 +296,7 @@ class Joiner {
             return;
         }
         const Gap gap = gap_between(a, b);
-        if (gap.length_px > widest_gap_px) {
-            return;
-        }
+        if (gap.length_px > widest_gap_px) return;
         const cv::Point2d way = place(b) - place(a);
         const double bend_a = bend(a, way);
         const double bend_b = bend(b, -way);
@@ -344,7 +307,7 @@ class Joiner {
 
     /// Returns a dot's end that is not taken yet.
     [[nodiscard]] EndId free_end(EndId end) const {
-        return piece(end).is_dot && to_[end] != kNobody ? end ^ 1U : end;
+        return piece(end).is_dot && to_[end] != kNoEnd ? end ^ 1U : end;
     }
 
     [[nodiscard]] bool are_linked(EndId a, EndId b) const {
@@ -353,9 +316,7 @@ class Joiner {
 
     /// Past a dot the way goes on, and does not turn back.
     [[nodiscard]] bool leads_on(EndId from, EndId to, double most_turn) const {
-        if (!piece(from).is_dot || to_[from ^ 1U] == kNobody) {
-            return true;
-        }
+        if (!piece(from).is_dot || to_[from ^ 1U] == kNoEnd) return true;
         const cv::Point2d before = place(from) - place(to_[from ^ 1U]);
         return angle_between(before, place(to) - place(from)) < most_turn;
     }
@@ -363,8 +324,8 @@ class Joiner {
     /// Returns the ends through which the pieces are entered, from an end, or round.
     [[nodiscard]] std::vector<EndId> walked(std::size_t piece, std::vector<bool>& is_walked) const {
         std::vector<EndId> way;
-        EndId in = to_[front_of(piece)] == kNobody ? front_of(piece) : back_of(piece);
-        while (in != kNobody && !is_walked[chain_of(in)]) {
+        EndId in = to_[front_of(piece)] == kNoEnd ? front_of(piece) : back_of(piece);
+        while (in != kNoEnd && !is_walked[chain_of(in)]) {
             is_walked[chain_of(in)] = true;
             way.push_back(in);
             in = to_[in ^ 1U];
@@ -372,13 +333,9 @@ class Joiner {
         return way;
     }
 
-    static bool are_alike(std::vector<double> values) {
-        if (values.empty()) {
-            return true;
-        }
-        const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-        std::ranges::nth_element(values, middle);
-        const double usual = *middle;
+    static bool are_alike(const std::vector<double>& values) {
+        if (values.empty()) return true;
+        const double usual = median(values);
         const auto like = std::ranges::count_if(values, [&](double value) {
             return std::abs(value - usual) <= kLike * std::abs(usual) + 1.0;
         });
@@ -391,18 +348,14 @@ class Joiner {
     }
 
     [[nodiscard]] bool is_broken_line(const std::vector<EndId>& way) const {
-        if (way.empty() || way.size() < (are_dots(way) ? kLeastDots : kLeastDashes)) {
-            return false;
-        }
+        if (way.empty() || way.size() < (are_dots(way) ? kLeastDots : kLeastDashes)) return false;
         std::vector<double> lengths;
         std::vector<double> gaps;
         for (std::size_t i = 0; i < way.size(); ++i) {
             lengths.push_back(piece(way[i]).length_px);
-            if (i > 0) {
-                gaps.push_back(gap_before(way, i).length_px);
-            }
+            if (i > 0) gaps.push_back(gap_before(way, i).length_px);
         }
-        return are_alike(std::move(lengths)) && are_alike(std::move(gaps));
+        return are_alike(lengths) && are_alike(gaps);
     }
 
     [[nodiscard]] Chain line_through(const std::vector<EndId>& way, bool is_ring) const {
@@ -413,14 +366,10 @@ class Joiner {
             const DashOrDot& part = piece(way[i]);
             line.width_px = std::max(line.width_px, part.width_px);
             std::vector<EdgePoint> points = part.way;
-            if (is_back(way[i])) {
-                std::ranges::reverse(points);
-            }
+            if (is_back(way[i])) std::ranges::reverse(points);
             points.front().is_fixed = false;  // no longer an end
             points.back().is_fixed = false;
-            if (is_ring || i > 0) {
-                add_corner(gap_before(way, i), line);
-            }
+            if (is_ring || i > 0) add_corner(gap_before(way, i), line);
             std::ranges::move(points, std::back_inserter(line.points));
         }
         if (!is_ring) {

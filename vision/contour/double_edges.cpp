@@ -38,9 +38,7 @@ std::optional<Stripe> stripe_between(const EdgePoint& p, const EdgePoint& q) {
     const double at_q = -over.dot(light_q);
     const bool is_across =
         at_p * at_q > 0.0 && std::min(std::abs(at_p), std::abs(at_q)) > kAcross * cv::norm(over);
-    if (!is_across || light_p.dot(light_q) > -kOpposite) {
-        return std::nullopt;
-    }
+    if (!is_across || light_p.dot(light_q) > -kOpposite) return std::nullopt;
     return at_p < 0.0 ? Stripe::dark : Stripe::light;
 }
 
@@ -104,9 +102,7 @@ Tip best_tip(const std::vector<std::pair<std::size_t, std::size_t>>& across, std
             static_cast<std::size_t>(std::ranges::count_if(across, [&](const auto& p) {
                 return is_first_half(p.first) != is_first_half(p.second);
             }));
-        if (parted > best.parted) {
-            best = {tip, parted};
-        }
+        if (parted > best.parted) best = {tip, parted};
     }
     return best;
 }
@@ -116,9 +112,7 @@ std::vector<FacingPair> facing_pairs(const std::vector<Chain>& chains, cv::Size 
                                      double widest_px) {
     const PointGrid grid(chains, picture, widest_px);
     std::vector<double> lengths_px;
-    for (const Chain& chain : chains) {
-        lengths_px.push_back(length_of(chain));
-    }
+    for (const Chain& chain : chains) lengths_px.push_back(length_of(chain));
     std::vector<FacingPair> pairs;
     for (std::size_t c = 0; c < chains.size(); ++c) {
         std::map<std::pair<std::size_t, Stripe>, Faced> others;
@@ -186,21 +180,13 @@ void append(std::vector<EdgePoint>& points, const std::vector<EdgePoint>& more) 
     points.insert(points.end(), more.begin(), more.end());
 }
 
-std::vector<EdgePoint> part(const std::vector<EdgePoint>& points, std::size_t from,
-                            std::size_t to) {
-    return {points.begin() + static_cast<std::ptrdiff_t>(from),
-            points.begin() + static_cast<std::ptrdiff_t>(to)};
-}
-
 /// Continues a stripe's middle beyond the stripe: straight if both sides run into one point, else
 /// along the side that runs on longer.
 std::vector<EdgePoint> run_on(std::vector<EdgePoint> a, std::vector<EdgePoint> b, bool at_front) {
     const auto last = [&](const std::vector<EdgePoint>& run) {
         return at_front ? run.front() : run.back();
     };
-    if (!a.empty() && !b.empty() && last(a).at == last(b).at) {
-        return {last(a)};
-    }
+    if (!a.empty() && !b.empty() && last(a).at == last(b).at) return {last(a)};
     return length_of({a, false}) >= length_of({b, false}) ? a : b;
 }
 
@@ -216,13 +202,9 @@ class Merger {
         for (std::size_t c = 0; c < chains_.size(); ++c) {
             const auto ring =
                 chains_[c].is_closed ? thin_ring(chains_, c, grid, widest_px_) : std::nullopt;
-            if (ring) {
-                rings.emplace_back(c, *ring);
-            }
+            if (ring) rings.emplace_back(c, *ring);
         }
-        for (const auto& [c, ring] : rings) {
-            is_merged[c] = merge_ring(c, ring);
-        }
+        for (const auto& [c, ring] : rings) is_merged[c] = merge_ring(c, ring);
         for (const FacingPair& pair : facing_pairs(chains_, picture_, widest_px_)) {
             if (!is_merged[pair.shorter] && !is_merged[pair.longer] && merge(pair)) {
                 is_merged[pair.shorter] = is_merged[pair.longer] = true;
@@ -235,11 +217,11 @@ class Merger {
   private:
     bool merge_ring(std::size_t c, const ThinRing& ring) {
         std::vector<EdgePoint> points = chains_[c].points;
-        std::ranges::rotate(points, points.begin() + static_cast<std::ptrdiff_t>(ring.tip));
+        begin_at(ring.tip, points);
         points.push_back(points.front());
         const std::size_t half = points.size() / 2;
-        Chain side{part(points, 0, half + 1)};
-        Chain opposite{part(points, half, points.size())};
+        Chain side{part_of(points, 0, half + 1)};
+        Chain opposite{part_of(points, half, points.size())};
         std::optional<Chain> line = merged(side, opposite, ring.stripe, ring.width_px);
         if (line) {
             const Chain old = std::exchange(chains_[c], {});
@@ -268,34 +250,27 @@ class Merger {
     std::optional<Chain> merged(Chain& side, Chain& opposite, Stripe stripe,
                                 double width_px) const {
         std::vector<Middle> middles = middles_of(side, opposite, stripe);
-        if (middles.size() < 2) {
-            return std::nullopt;
-        }
-        if (side.is_closed) {
-            begin_after_longest_break(side, middles);
-        }
+        if (middles.size() < 2) return std::nullopt;
+        if (side.is_closed) begin_after_longest_break(side, middles);
         if (middles.front().on_opposite > middles.back().on_opposite) {
             std::ranges::reverse(opposite.points);
-            for (Middle& m : middles) {
-                m.on_opposite = opposite.points.size() - 1 - m.on_opposite;
-            }
+            for (Middle& m : middles) m.on_opposite = opposite.points.size() - 1 - m.on_opposite;
         }
         const Middle& first = middles.front();
         const Middle& last = middles.back();
         const auto others = [&](std::size_t from, std::size_t to) {
             const bool is_open = !side.is_closed && !opposite.is_closed;
-            return is_open ? part(opposite.points, from, to) : std::vector<EdgePoint>{};
+            return is_open ? part_of(opposite.points, from, to) : std::vector<EdgePoint>{};
         };
         Chain middle;
         std::ranges::transform(middles, std::back_inserter(middle.points), &Middle::point);
-        Chain line{run_on(part(side.points, 0, first.on_side), others(0, first.on_opposite), true),
-                   side.is_closed};
+        Chain line{
+            run_on(part_of(side.points, 0, first.on_side), others(0, first.on_opposite), true),
+            side.is_closed};
         append(line.points, middle.points);
-        append(line.points, run_on(part(side.points, last.on_side + 1, side.points.size()),
+        append(line.points, run_on(part_of(side.points, last.on_side + 1, side.points.size()),
                                    others(last.on_opposite + 1, opposite.points.size()), false));
-        if (length_of(middle) > kMostOfLine * length_of(line)) {
-            line.width_px = width_px;
-        }
+        if (length_of(middle) > kMostOfLine * length_of(line)) line.width_px = width_px;
         return line;
     }
 
@@ -332,26 +307,20 @@ class Merger {
         }
         const std::size_t shift = middles[begin].on_side;
         std::ranges::rotate(middles, middles.begin() + static_cast<std::ptrdiff_t>(begin));
-        std::ranges::rotate(ring.points, ring.points.begin() + static_cast<std::ptrdiff_t>(shift));
-        for (Middle& m : middles) {
-            m.on_side = (m.on_side + n - shift) % n;
-        }
+        begin_at(shift, ring.points);
+        for (Middle& m : middles) m.on_side = (m.on_side + n - shift) % n;
     }
 
     /// Moves the fixed points of a removed line onto the new one, wherever they are shared.
     void move_fixed_points(const Chain& old, Chain& line) {
         for (const EdgePoint& point : old.points) {
-            if (!point.is_fixed) {
-                continue;
-            }
+            if (!point.is_fixed) continue;
             EdgePoint& nearest = *std::ranges::min_element(
                 line.points, {}, [&](const EdgePoint& p) { return distance(p.at, point.at); });
             nearest.is_fixed = true;
             for (Chain& chain : chains_) {
                 for (EdgePoint& other : chain.points) {
-                    if (other.is_fixed && other.at == point.at) {
-                        other.at = nearest.at;
-                    }
+                    if (other.is_fixed && other.at == point.at) other.at = nearest.at;
                 }
             }
         }

@@ -76,9 +76,7 @@ class LineTracer {
         const float strength_a = field_.strength(a);
         const float strength_b = field_.strength(b);
         const auto low = static_cast<float>(limits_.low);
-        if (!(strength_a >= low) && !(strength_b >= low)) {
-            return kNone;
-        }
+        if (!(strength_a >= low) && !(strength_b >= low)) return kNone;
         const Profile at_a = profile(a.x, a.y);
         const Profile at_b = profile(b.x, b.y);
         const float sign = at_a.normal.dot(at_b.normal) < 0.0F ? -1.0F : 1.0F;
@@ -90,9 +88,7 @@ class LineTracer {
         const float t = change != 0.0F ? at_a.slope / change : 0.5F;
         const float strength = strength_a + t * (strength_b - strength_a);
         const float curvature = at_a.curvature + t * (at_b.curvature - at_a.curvature);
-        if (!(strength >= low) || !(curvature < 0.0F)) {
-            return kNone;
-        }
+        if (!(strength >= low) || !(curvature < 0.0F)) return kNone;
         const cv::Point2d where = cv::Point2d(a) + static_cast<double>(t) * cv::Point2d(b - a);
         const cv::Vec2f to_light = !field_.has_light_side    ? cv::Vec2f(0.0F, 0.0F)
                                    : strength_a > strength_b ? at_a.normal
@@ -135,9 +131,7 @@ class LineTracer {
         std::array<int, 4> ids{};
         std::size_t count = 0;
         for (const int id : sides) {
-            if (id != kNone) {
-                ids[count++] = id;
-            }
+            if (id != kNone) ids[count++] = id;
         }
         while (count >= 2) {
             std::size_t best_i = 0;
@@ -278,9 +272,7 @@ cv::Mat edge_strength(const std::vector<Chain>& lines, cv::Size size, double hig
         const std::size_t n = line.points.size();
         const double extent = 1.0 - std::exp(-length_of(line) / kExtent_px);
         std::vector<double> sum(n + 1, 0.0);
-        for (std::size_t i = 0; i < n; ++i) {
-            sum[i + 1] = sum[i] + line.points[i].strength;
-        }
+        for (std::size_t i = 0; i < n; ++i) sum[i + 1] = sum[i] + line.points[i].strength;
         for (std::size_t i = 0; i < n; ++i) {
             const std::size_t from = i > kReach ? i - kReach : 0;
             const std::size_t to = std::min(n, i + kReach + 1);

@@ -64,10 +64,7 @@ std::vector<float> usual_depths(const cv::Mat1f& depth, const cv::Mat1i& piece, 
     std::vector<float> usual(ridges.size(), 0.0F);
     for (std::size_t i = 0; i < ridges.size(); ++i) {
         if (!ridges[i].empty()) {
-            const auto middle =
-                ridges[i].begin() + static_cast<std::ptrdiff_t>(ridges[i].size() / 2);
-            std::ranges::nth_element(ridges[i], middle);
-            const float depth_px = *middle;
+            const float depth_px = median(ridges[i]);
             const auto alike = std::ranges::count_if(ridges[i], [depth_px](float each) {
                 return std::abs(each - depth_px) <= kAlike * depth_px + 0.5F;
             });
@@ -130,9 +127,7 @@ struct Tail {
 cv::Mat1b wide_part(const cv::Mat1b& mask, const InkParts& parts, const std::vector<float>& usual,
                     double greatest_width_px) {
     const cv::Mat core = wide_cores(parts, usual, greatest_width_px);
-    if (cv::countNonZero(core) == 0) {
-        return cv::Mat1b(mask.size(), uchar{0});
-    }
+    if (cv::countNonZero(core) == 0) return cv::Mat1b(mask.size(), uchar{0});
     const cv::Mat1f from_core = depth_of(~core);
     const double half_px = 0.5 * greatest_width_px;
     cv::Mat wide = (from_core <= half_px + 1.0) & mask;
@@ -167,9 +162,7 @@ cv::Mat1b wide_part(const cv::Mat1b& mask, const InkParts& parts, const std::vec
     });
     const double least_px = (0.5 + kLeastTailOverWidth) * greatest_width_px;
     for_each([&](const cv::Point& p, const Tail& tail) {
-        if (!tail.is_stroke(least_px)) {
-            wide.at<uchar>(p) = 255;
-        }
+        if (!tail.is_stroke(least_px)) wide.at<uchar>(p) = 255;
     });
     return wide;
 }
@@ -181,9 +174,7 @@ void add_swelling(InkParts& parts, const cv::Mat1b& mask, const std::vector<floa
                   double greatest_width_px) {
     const cv::Mat1b rest = cv::Mat(mask & ~parts.shapes);
     const cv::Rect part = part_with(rest);
-    if (part.empty()) {
-        return;
-    }
+    if (part.empty()) return;
     const cv::Mat1f depth = parts.depth(part);
     const cv::Mat1i piece = parts.piece(part);
     cv::Mat1b shapes = parts.shapes(part);
@@ -219,13 +210,9 @@ void add_swelling(InkParts& parts, const cv::Mat1b& mask, const std::vector<floa
         shape[i] = !is_stroke && deepest_px > hair_px ? 255 : 0;
     }
     for (int y = 0; y < depth.rows; ++y) {
-        for (int x = 0; x < depth.cols; ++x) {
-            shapes(y, x) |= shape[of(y, x)];
-        }
+        for (int x = 0; x < depth.cols; ++x) shapes(y, x) |= shape[of(y, x)];
     }
 }
-
-constexpr int kMostColours = 256;
 
 /// Returns the pieces of a mask that are strokes all over, except for parts that run along the
 /// picture's edge, which a frame leaves over.
@@ -318,10 +305,9 @@ InkParts parts_of_clean(const cv::Mat1b& mask, double greatest_width_px) {
 
 ThinParts thin_parts_of(const cv::Mat1b& map, double greatest_width_px) {
     const auto extents = extents_of(map);
-    const auto ground =
-        std::ranges::max_element(extents, {}, &ColourExtent::pixels) - extents.begin();
+    const int ground = ground_of(map);
     cv::Mat thin(map.size(), CV_8U, cv::Scalar(0));
-    for (int colour = 0; colour < kMostColours; ++colour) {
+    for (int colour = 0; colour < static_cast<int>(kMostColours); ++colour) {
         const ColourExtent& extent = extents[static_cast<std::size_t>(colour)];
         if (extent.pixels == 0) continue;
         // Adds a rim of other colours, so that the box's sides are not taken for more of the

@@ -34,7 +34,7 @@ struct ThinParts {
 };
 
 /// The map has no specks. Strokes are the parts of each colour's areas that are no wider than a
-/// stroke (ink_parts.h). Of the ground, the commonest colour, only areas that are thin as a whole
+/// stroke (parts_of). Of the ground, the commonest colour, only areas that are thin as a whole
 /// count: between two shapes such an area is a gap, within one a line. Strokes of several colours
 /// side by side that are wide together are not strokes. O(pixels x colours).
 [[nodiscard]] ThinParts thin_parts_of(const cv::Mat1b& map, double greatest_width_px);

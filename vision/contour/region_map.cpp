@@ -122,9 +122,7 @@ cv::Mat1b uniform_pixels(const cv::Mat1b& colours) {
 bool is_solid(const cv::Mat1b& colours, const cv::Mat1b& uniform, int y, int x) {
     for (int v = std::max(0, y - 1); v <= std::min(colours.rows - 1, y + 1); ++v) {
         for (int u = std::max(0, x - 1); u <= std::min(colours.cols - 1, x + 1); ++u) {
-            if (uniform(v, u) != 0 && colours(v, u) == colours(y, x)) {
-                return true;
-            }
+            if (uniform(v, u) != 0 && colours(v, u) == colours(y, x)) return true;
         }
     }
     return false;
@@ -161,9 +159,7 @@ class Mixtures {
                 const uchar c = colours_(v, u);
                 const bool is_new =
                     c != own && std::find(near.begin(), near.begin() + n, c) == near.begin() + n;
-                if (is_new && n < near.size() && is_pure(v, u)) {
-                    near[n++] = c;
-                }
+                if (is_new && n < near.size() && is_pure(v, u)) near[n++] = c;
             }
         }
         return best_mixture(lab_(y, x), own, {near.begin(), near.begin() + n});
@@ -205,9 +201,7 @@ class Mixtures {
 std::vector<Run> small_regions(const cv::Mat1b& map, int least_px) {
     const std::vector<Run> runs = runs_of(map);
     std::vector<int> area_px(runs.size(), 0);
-    for (const Run& run : runs) {
-        area_px[run.region] += run.to - run.from;
-    }
+    for (const Run& run : runs) area_px[run.region] += run.to - run.from;
     std::vector<Run> small;
     std::ranges::copy_if(runs, std::back_inserter(small),
                          [&](const Run& run) { return area_px[run.region] < least_px; });
@@ -223,9 +217,7 @@ std::array<cv::Point, 4> beside(const cv::Point& p) {
 std::vector<cv::Vec3f> palette_of(const LabPicture& lab, double noise) {
     std::vector<Bin> filled = histogram(lab, noise);
     std::erase_if(filled, [](const Bin& bin) { return bin.count == 0; });
-    if (filled.empty()) {
-        return {lab(lab.rows / 2, lab.cols / 2)};
-    }
+    if (filled.empty()) return {lab(lab.rows / 2, lab.cols / 2)};
     std::ranges::stable_sort(filled, std::greater<>(), &Bin::count);
     const double least = kLeastInkPart * static_cast<double>(lab.total());
     std::vector<Bin> found;
@@ -234,9 +226,7 @@ std::vector<cv::Vec3f> palette_of(const LabPicture& lab, double noise) {
         peak = around(filled, mean_of(peak));  // one step uphill
         if (peak.count < least_count(peak, found, least)) {
             filled.erase(filled.begin());
-            if (filled.empty() || filled.front().count < least / 16.0) {
-                break;
-            }
+            if (filled.empty() || filled.front().count < least / 16.0) break;
             continue;
         }
         const cv::Vec3f colour = mean_of(peak);
@@ -283,13 +273,9 @@ std::vector<Run> runs_of(const cv::Mat1b& map) {
         const uchar* colours = map[y];
         const std::size_t row_start = runs.size();
         for (int from = 0, to = 0; from < map.cols; from = to) {
-            while (to < map.cols && colours[to] == colours[from]) {
-                ++to;
-            }
+            while (to < map.cols && colours[to] == colours[from]) ++to;
             runs.push_back({y, from, to, runs.size()});
-            while (above < row_start && runs[above].to <= from) {
-                ++above;
-            }
+            while (above < row_start && runs[above].to <= from) ++above;
             for (std::size_t i = above; i < row_start && runs[i].from < to; ++i) {
                 if (map(y - 1, runs[i].from) == colours[from]) {
                     const std::size_t a = first_of(runs, i);
@@ -300,14 +286,26 @@ std::vector<Run> runs_of(const cv::Mat1b& map) {
         }
         above = row_start;
     }
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        runs[i].region = first_of(runs, i);
-    }
+    for (std::size_t i = 0; i < runs.size(); ++i) runs[i].region = first_of(runs, i);
     return runs;
 }
 
 cv::Mat1b region_map(const LabPicture& lab, const std::vector<cv::Vec3f>& palette) {
     return Mixtures(lab, palette, nearest_colours(lab, palette)).undone();
+}
+
+uchar ground_of(const cv::Mat1b& map) {
+    std::array<int, kMostColours> counts{};
+    for (const uchar colour : map) ++counts[colour];
+    return static_cast<uchar>(std::ranges::max_element(counts) - counts.begin());
+}
+
+double strongest_contrast(const std::vector<cv::Vec3f>& palette, uchar ground) {
+    double strongest = 0.0;
+    for (const cv::Vec3f& colour : palette) {
+        strongest = std::max(strongest, cv::norm(colour - palette[ground]));
+    }
+    return strongest;
 }
 
 void overgrow_specks(cv::Mat1b& map, int least_px) {

@@ -11,6 +11,9 @@
 
 namespace touchline {
 
+/// A map names the colour of each pixel by a byte, its place in a palette.
+inline constexpr std::size_t kMostColours = 256;
+
 /// Returns at most 64 colours, the commonest first, at least 16 grey levels apart: the peaks of the
 /// histogram (bins of 8) of all pixels that are like their neighbours. Leaves out colours of less
 /// than 0.05 % of the picture, or of 0.6 % of one within 45 grey levels. Never empty. O(pixels).
@@ -32,6 +35,12 @@ void overgrow_specks(cv::Mat1b& map, int least_px);
 /// Gives the pixels of the mask to what lies beside them, all at the same pace; none stay, unless
 /// there is nothing else. O(pixels).
 void overgrow(cv::Mat1b& map, const cv::Mat1b& mask);
+
+/// Returns the commonest colour of a map. O(pixels).
+[[nodiscard]] uchar ground_of(const cv::Mat1b& map);
+
+/// Returns by how much a colour differs from the ground at most, grey levels. O(colours).
+[[nodiscard]] double strongest_contrast(const std::vector<cv::Vec3f>& palette, uchar ground);
 
 /// Pixels of one colour beside each other in a row.
 struct Run {

@@ -71,9 +71,7 @@ class RingTracer {
     Side way_out(cv::Point cell, Side in) const {
         for (const std::size_t turn : {3U, 2U}) {
             const Side side = static_cast<Side>((in + turn) % 4);
-            if (is_way_out(cell, side)) {
-                return side;
-            }
+            if (is_way_out(cell, side)) return side;
         }
         return static_cast<Side>((in + 1) % 4);
     }
@@ -96,8 +94,6 @@ class RingTracer {
     cv::Mat1b is_done_;  // for each cell: a ring has left through its upper side
 };
 
-// The gradient of a step between flat colours: a Gaussian's peak over sigma, with sigma about 1 px.
-constexpr double kGradientOverStep = 0.4;
 constexpr int kNoLink = -1;
 
 /// A place where a line crosses from one pixel to the next, and its links on either side: other
@@ -121,18 +117,14 @@ class BorderTracer {
     std::vector<Chain> traced() {
         find_crossings();
         for (int y = 0; y + 1 < map_.rows; ++y) {
-            for (int x = 0; x + 1 < map_.cols; ++x) {
-                link_cell(y, x);
-            }
+            for (int x = 0; x + 1 < map_.cols; ++x) link_cell(y, x);
         }
         is_used_.assign(crossings_.size(), false);
         std::vector<Chain> lines;
         for (const bool is_open : {true, false}) {  // first the open ones; the rest are rings
             for (std::size_t i = 0; i < crossings_.size(); ++i) {
                 const bool is_end = crossings_[i].next[0] < 0 || crossings_[i].next[1] < 0;
-                if (!is_used_[i] && is_end == is_open) {
-                    lines.push_back(walked(static_cast<int>(i)));
-                }
+                if (!is_used_[i] && is_end == is_open) lines.push_back(walked(static_cast<int>(i)));
             }
         }
         return lines;
@@ -172,9 +164,7 @@ class BorderTracer {
     void link_cell(int y, int x) {
         std::array<int, 4> around{right_(y, x), below_(y, x + 1), right_(y + 1, x), below_(y, x)};
         const auto n = std::ranges::count_if(around, [](int c) { return c != kNoLink; });
-        if (n == 0) {
-            return;
-        }
+        if (n == 0) return;
         if (n == 2) {
             const auto a = std::ranges::find_if(around, [](int c) { return c != kNoLink; });
             const auto b = std::find_if(a + 1, around.end(), [](int c) { return c != kNoLink; });
@@ -195,9 +185,7 @@ class BorderTracer {
     /// Returns whether the colour of the upper left and lower right pixel runs through between the
     /// other two: if those differ, yes; else if the middle of the cell looks more like it.
     bool is_diagonal_joined(int y, int x) const {
-        if (map_(y, x + 1) != map_(y + 1, x)) {
-            return true;
-        }
+        if (map_(y, x + 1) != map_(y + 1, x)) return true;
         const cv::Vec3f middle =
             0.25F * (lab_(y, x) + lab_(y, x + 1) + lab_(y + 1, x) + lab_(y + 1, x + 1));
         const cv::Vec3f to_own = middle - palette_[map_(y, x)];
@@ -249,9 +237,7 @@ class BorderTracer {
     }
 
     void add_node(int link, Chain& line) const {
-        if (link < kNoLink) {
-            line.points.push_back(nodes_[static_cast<std::size_t>(-2 - link)]);
-        }
+        if (link < kNoLink) line.points.push_back(nodes_[static_cast<std::size_t>(-2 - link)]);
     }
 
     const BorderCrossing& crossing(int i) const { return crossings_[static_cast<std::size_t>(i)]; }
@@ -278,6 +264,12 @@ double area_within(const Chain& ring) {
         twice += ring.points[i].at.cross(ring.points[(i + 1) % ring.points.size()].at);
     }
     return 0.5 * twice;
+}
+
+bool holds(const Chain& ring, const cv::Point2d& at) {
+    std::vector<cv::Point2f> points;
+    for (const EdgePoint& point : ring.points) points.emplace_back(point.at);
+    return cv::pointPolygonTest(points, at, false) > 0.0;
 }
 
 float strength_at(const cv::Mat1f& strength, const cv::Point2d& at) {

@@ -30,6 +30,13 @@ void snap(Chain& ring, const cv::Mat1f& strength, double reach_px);
 /// Returns whether a place is within a pixel of the picture's frame, or beyond it.
 [[nodiscard]] bool is_on_frame(const cv::Point2d& at, cv::Size size);
 
+/// The gradient of a step between flat colours over the step, per pixel: a Gaussian's peak, with a
+/// sigma of about 1 px.
+inline constexpr double kGradientOverStep = 0.4;
+
+/// Returns whether a ring holds a place; false on the ring itself. O(points).
+[[nodiscard]] bool holds(const Chain& ring, const cv::Point2d& at);
+
 /// Marching squares with any number of colours: a line crosses between two neighbouring pixels of
 /// different colour where the picture is half-way from the one to the other, and runs from cell to
 /// cell. A cell with three or four crossings that belong to three or four colours is a junction:

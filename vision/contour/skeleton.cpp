@@ -10,7 +10,7 @@
 namespace touchline {
 namespace {
 
-constexpr float kSteps = 8.0F;  // of depth, per pixel
+constexpr float kStepsPerPixel = 8.0F;  // of depth
 
 /// Whether a pixel may go, by its eight neighbours (bit k: neighbour k, round the pixel, even bits
 /// beside it): it is not an end, and its neighbours stay connected without it (Yokoi's number is
@@ -72,10 +72,8 @@ class Thinning {
 
   private:
     void add(std::size_t p, float depth) {
-        const auto level = static_cast<std::size_t>(depth * kSteps);
-        if (queues_.size() <= level) {
-            queues_.resize(level + 1);
-        }
+        const auto level = static_cast<std::size_t>(depth * kStepsPerPixel);
+        if (queues_.size() <= level) queues_.resize(level + 1);
         inside_[p] = 255;
         level_[p] = static_cast<int>(level);
         queues_[level].push_back(p);
@@ -87,9 +85,7 @@ class Thinning {
 
     [[nodiscard]] unsigned code_of(std::size_t p) const {
         unsigned code = 0;
-        for (std::size_t k = 0; k < 8; ++k) {
-            code |= (inside_[neighbour(p, k)] & 1U) << k;
-        }
+        for (std::size_t k = 0; k < 8; ++k) code |= (inside_[neighbour(p, k)] & 1U) << k;
         return code;
     }
 
@@ -101,15 +97,11 @@ class Thinning {
             return inside_[p] != 0 && inside_[neighbour(p, side)] == 0;
         });
         for (const std::size_t p : open) {
-            if (inside_[p] == 0 || !kRemovable[code_of(p)]) {
-                continue;
-            }
+            if (inside_[p] == 0 || !kRemovable[code_of(p)]) continue;
             inside_[p] = 0;
             for (std::size_t k = 0; k < 8; ++k) {
                 const std::size_t q = neighbour(p, k);
-                if (inside_[q] != 0 && level_[q] <= level) {
-                    again.push_back(q);
-                }
+                if (inside_[q] != 0 && level_[q] <= level) again.push_back(q);
             }
         }
     }
@@ -164,9 +156,7 @@ class Tracer {
             {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
         for (const auto& [x, y] : kSteps) {
             const cv::Point q(p.x + x, p.y + y);
-            if (frame_.contains(q)) {
-                visit(q);
-            }
+            if (frame_.contains(q)) visit(q);
         }
     }
 
@@ -175,9 +165,7 @@ class Tracer {
         std::vector<cv::Point> branches;
         for (int y = 0; y < thin.rows; ++y) {
             for (int x = 0; x < thin.cols; ++x) {
-                if (thin(y, x) == 0) {
-                    continue;
-                }
+                if (thin(y, x) == 0) continue;
                 pixels_.emplace_back(x, y);
                 int n = 0;
                 around({x, y}, [&](const cv::Point& q) { n += thin(q) != 0 ? 1 : 0; });
@@ -189,9 +177,7 @@ class Tracer {
             }
         }
         for (const cv::Point& seed : branches) {
-            if (node_(seed) == kUnnumbered) {
-                number_cluster(seed);
-            }
+            if (node_(seed) == kUnnumbered) number_cluster(seed);
         }
     }
 
@@ -219,9 +205,7 @@ class Tracer {
         for (const cv::Point& p : pixels_) {
             if (node_(p) >= 0) {
                 around(p, [&](const cv::Point& q) {
-                    if (left_(q) != 0) {
-                        walk(q, static_cast<std::size_t>(node_(p)));
-                    }
+                    if (left_(q) != 0) walk(q, static_cast<std::size_t>(node_(p)));
                 });
             }
         }
@@ -229,9 +213,7 @@ class Tracer {
             for (const cv::Point& p : pixels_) {
                 int n = 0;
                 around(p, [&](const cv::Point& q) { n += left_(q) != 0 ? 1 : 0; });
-                if (left_(p) != 0 && (n <= 1) == is_open) {
-                    walk(p, kFree);
-                }
+                if (left_(p) != 0 && (n <= 1) == is_open) walk(p, kFree);
             }
         }
     }
@@ -268,9 +250,7 @@ class Tracer {
     }
 
     std::size_t root(std::size_t node) const {
-        while (node != kFree && nodes_[node].merged_into != kFree) {
-            node = nodes_[node].merged_into;
-        }
+        while (node != kFree && nodes_[node].merged_into != kFree) node = nodes_[node].merged_into;
         return node;
     }
 
@@ -279,26 +259,20 @@ class Tracer {
         for (std::size_t i = 1; i < arm.pixels.size(); ++i) {
             sum += cv::norm(cv::Point2d(arm.pixels[i] - arm.pixels[i - 1]));
         }
-        if (arm.from != kFree) {
-            sum += distance(nodes_[arm.from].centre(), arm.pixels.front());
-        }
+        if (arm.from != kFree) sum += distance(nodes_[arm.from].centre(), arm.pixels.front());
         return arm.to != kFree ? sum + distance(nodes_[arm.to].centre(), arm.pixels.back()) : sum;
     }
 
     void merge_bridged() {
         for (Arm& arm : arms_) {
-            if (arm.from == kFree || arm.to == kFree) {
-                continue;
-            }
+            if (arm.from == kFree || arm.to == kFree) continue;
             const std::size_t a = root(arm.from);
             const std::size_t b = root(arm.to);
             const double width_px = nodes_[a].depth + nodes_[b].depth;
             const double limit = (a == b ? kLoopOverWidth : kBridgeOverWidth) * width_px;
             // The nodes as they are now: many short bridges in a row do not make one node.
             const bool is_far = a != b && distance(nodes_[a].centre(), nodes_[b].centre()) > limit;
-            if (length(arm) > limit || is_far) {
-                continue;
-            }
+            if (length(arm) > limit || is_far) continue;
             arm.is_dropped = true;
             if (a != b) {
                 nodes_[std::max(a, b)].merged_into = std::min(a, b);
@@ -317,9 +291,7 @@ class Tracer {
         std::vector<int> others(nodes_.size(), 0);
         for (std::size_t i = 0; i < arms_.size(); ++i) {
             const Arm& arm = arms_[i];
-            if (arm.is_dropped || (arm.from == kFree && arm.to == kFree)) {
-                continue;
-            }
+            if (arm.is_dropped || (arm.from == kFree && arm.to == kFree)) continue;
             const bool is_free = arm.from == kFree || arm.to == kFree;
             const std::size_t node = root(arm.from != kFree ? arm.from : arm.to);
             if (is_free && length(arm) < kSpurOverWidth * 2.0 * nodes_[node].depth + 0.5) {
@@ -330,9 +302,7 @@ class Tracer {
             }
         }
         for (std::size_t node = 0; node < nodes_.size(); ++node) {
-            for (const std::size_t i : spurs[node]) {
-                arms_[i].is_dropped = others[node] > 0;
-            }
+            for (const std::size_t i : spurs[node]) arms_[i].is_dropped = others[node] > 0;
         }
     }
 
@@ -340,9 +310,7 @@ class Tracer {
         Skeleton made;
         std::vector<std::vector<EndId>> ends(nodes_.size());
         for (const Arm& arm : arms_) {
-            if (arm.is_dropped) {
-                continue;
-            }
+            if (arm.is_dropped) continue;
             const std::size_t i = made.arms.size();
             made.arms.emplace_back();
             Chain& chain = made.arms.back();
@@ -351,18 +319,14 @@ class Tracer {
                 chain.points.push_back({nodes_[root(arm.from)].centre()});
                 ends[root(arm.from)].push_back(front_of(i));
             }
-            for (const cv::Point& p : arm.pixels) {
-                chain.points.push_back({cv::Point2d(p)});
-            }
+            for (const cv::Point& p : arm.pixels) chain.points.push_back({cv::Point2d(p)});
             if (arm.to != kFree) {
                 chain.points.push_back({nodes_[root(arm.to)].centre()});
                 ends[root(arm.to)].push_back(back_of(i));
             }
         }
         for (std::vector<EndId>& node : ends) {
-            if (node.size() >= 2) {
-                made.nodes.push_back(std::move(node));
-            }
+            if (node.size() >= 2) made.nodes.push_back(std::move(node));
         }
         return made;
     }

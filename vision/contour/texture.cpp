@@ -28,9 +28,7 @@ class TextureMap {
         const cv::Size cells(static_cast<int>(std::ceil(picture.width / cell_px_)),
                              static_cast<int>(std::ceil(picture.height / cell_px_)));
         density_ = cv::Mat1f(cells, 0.0F);
-        for (const Chain& chain : chains) {
-            lengths_px_.push_back(length_of(chain));
-        }
+        for (const Chain& chain : chains) lengths_px_.push_back(length_of(chain));
         measure();
         find_areas();
         sort_lines();
@@ -114,9 +112,7 @@ class TextureMap {
     void sort_lines() {
         area_of_.assign(chains_.size(), 0);
         for (std::size_t c = 0; c < chains_.size(); ++c) {
-            if (!is_short(c)) {
-                continue;
-            }
+            if (!is_short(c)) continue;
             const std::vector<EdgePoint>& points = chains_[c].points;
             const int area = areas_(cell_of(points[points.size() / 2].at));
             const auto there = std::ranges::count_if(
@@ -126,9 +122,7 @@ class TextureMap {
                 Lines& lines = lines_in_[static_cast<std::size_t>(area)];
                 ++lines.count;
                 lines.points += points.size();
-                for (const EdgePoint& p : points) {
-                    lines.strength += p.strength;
-                }
+                for (const EdgePoint& p : points) lines.strength += p.strength;
             }
         }
     }
@@ -164,9 +158,7 @@ std::vector<Chain> with_textures_outlined(std::vector<Chain> chains, cv::Size pi
     const TextureMap map(chains, picture, scale);
     std::vector<Chain> kept;
     for (std::size_t c = 0; c < chains.size(); ++c) {
-        if (!map.is_replaced(c)) {
-            kept.push_back(std::move(chains[c]));
-        }
+        if (!map.is_replaced(c)) kept.push_back(std::move(chains[c]));
     }
     std::ranges::move(map.outlines(), std::back_inserter(kept));
     return kept;

@@ -58,7 +58,6 @@ Chain widened(const RingSides& sides, double factor) {
 constexpr double kMargin_mm = 2.0;  // above the head, so that a finger can go round it
 constexpr double kStep_mm = 0.25;
 constexpr double kClear_mm = kLeastApart_mm + 0.5 * kStep_mm;  // of points
-constexpr double kSmallBreak_mm = 4.0;
 constexpr double kMostMoved_mm = 3.0;
 constexpr double kLeastShown = 0.4;  // of a part, or it is not shown at all
 
@@ -298,9 +297,7 @@ Chain middle_of(const Chain& ring) {
     const auto sides = sides_of(ring);
     if (!sides) return ring;
     Chain line;
-    for (std::size_t i = 0; i < sides->upper.size(); ++i) {
-        line.points.push_back({sides->middle(i)});
-    }
+    for (std::size_t i = 0; i < sides->upper.size(); ++i) line.points.push_back({sides->middle(i)});
     return line;
 }
 

@@ -223,9 +223,7 @@ Result<std::vector<FaceBox>> FaceNetwork::boxes_in(const cv::Mat3b& picture, cv:
     const cv::Size size(std::clamp(cvRound(scale * part.width), 1, kFaceInput_px),
                         std::clamp(cvRound(scale * part.height), 1, kFaceInput_px));
     cv::Mat3b square(kFaceInput_px, kFaceInput_px, cv::Vec3b(0, 0, 0));
-    cv::Mat3b fitted = square(cv::Rect({}, size));
-    cv::resize(picture(part), fitted, size, 0.0, 0.0,
-               scale < 1.0 ? cv::INTER_AREA : cv::INTER_LINEAR);
+    stretched(picture(part), size).copyTo(square(cv::Rect({}, size)));
     const cv::Mat input =
         cv::dnn::blobFromImage(square, 1.0 / 127.5, {}, cv::Scalar::all(127.5), true, false);
     const std::array<std::vector<int>, 4> shapes{

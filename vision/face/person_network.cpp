@@ -4,7 +4,6 @@
 #include "vision/face/person_outline.h"
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <utility>
 #include <vector>
@@ -16,7 +15,6 @@ namespace touchline {
 namespace {
 
 constexpr int kSide_px = 256;
-
 constexpr int kMostPeople = 5;
 constexpr double kLeastShare = 1.0 / 80.0;  // of the picture
 constexpr double kSeenBeyond = 0.12;   // of a box's longer side: what the network sees round it
@@ -42,19 +40,13 @@ Result<PersonNetwork> PersonNetwork::from_onnx(std::span<const std::byte> model)
 }
 
 Result<cv::Mat1b> PersonNetwork::mask_of(const cv::Mat3b& picture, const cv::Rect& part) {
-    const bool shrinks = std::max(part.width, part.height) > kSide_px;
-    cv::Mat3b square;
-    cv::resize(picture(part), square, {kSide_px, kSide_px}, 0.0, 0.0,
-               shrinks ? cv::INTER_AREA : cv::INTER_LINEAR);
-    const std::array map{std::vector{1, kSide_px, kSide_px, 1}};
-    const auto found =
-        network_.outputs(cv::dnn::blobFromImage(square, 1.0 / 255.0, {}, {}, true, false), map);
-    if (!found) return tl::unexpected(found.error());
-    if (!cv::checkRange(found->front(), true, nullptr, 0.0, 1.0 + 1e-6))
-        return network_.unusable("its output is no likelihood");
-    cv::Mat1b mask;
-    found->front().reshape(1, kSide_px).convertTo(mask, CV_8U, 255.0);
-    return mask;
+    const cv::Mat input = cv::dnn::blobFromImage(stretched(picture(part), {kSide_px, kSide_px}),
+                                                 1.0 / 255.0, {}, {}, true, false);
+    return network_.likelihoods(input, {1, kSide_px, kSide_px, 1}).map([](const cv::Mat1f& found) {
+        cv::Mat1b mask;
+        found.reshape(1, kSide_px).convertTo(mask, CV_8U, 255.0);
+        return mask;
+    });
 }
 
 Result<cv::Mat1f> people_likelihood(const cv::Mat3b& picture, std::span<const cv::Rect2d> people,

@@ -75,12 +75,6 @@ cv::Mat1f soft_mask(const PersonMask& person, const FaceMesh& mesh, const Workin
     return soft;
 }
 
-bool holds(const Chain& ring, cv::Point2d p) {
-    std::vector<cv::Point2f> points;
-    for (const EdgePoint& point : ring.points) points.emplace_back(point.at);
-    return cv::pointPolygonTest(points, p, false) > 0.0;
-}
-
 }  // namespace
 
 cv::Rect head_and_shoulders(const FaceMesh& mesh, cv::Size picture) {

@@ -105,9 +105,7 @@ void clean(cv::Mat1b& mask) {
 std::vector<cv::Rect> boxes_of(const cv::Mat1b& mask) {
     const Pieces parts(mask >= kLimit);
     std::vector<int> order;
-    for (int part = 1; part < parts.count; ++part) {
-        order.push_back(part);
-    }
+    for (int part = 1; part < parts.count; ++part) order.push_back(part);
     std::ranges::stable_sort(order, std::ranges::greater{},
                              [&](int part) { return parts.area(part); });
     std::vector<cv::Rect> boxes;
@@ -176,9 +174,7 @@ std::vector<Chain> rings_of(const cv::Mat1f& soft, const cv::Mat1f& strength, do
                             double shortest_px, double high) {
     std::vector<Chain> rings;
     for (const Chain& line : iso_rings(soft, kFigureLevel)) {
-        if (length_of(line) < shortest_px) {
-            continue;
-        }
+        if (length_of(line) < shortest_px) continue;
         Chain ring = resampled(line, 1.0);
         snap(ring, strength, reach_px);
         ring = resampled(ring, 1.0);
@@ -206,7 +202,7 @@ cv::Mat1f to_rings(const std::vector<Chain>& rings, cv::Size size) {
     return distance;
 }
 
-enum class Place { on_ring, inside, outside };
+enum class RingSide { on_ring, inside, outside };
 
 /// Returns the rings without the parts along the picture's frame: a thing cut by the frame has no
 /// edge there.
@@ -216,9 +212,7 @@ std::vector<Chain> off_frame(const std::vector<Chain>& rings, cv::Size size, dou
         cut_by_place(
             ring, [&](const EdgePoint& p) { return is_on_frame(p.at, size); },
             [&](Chain part, bool is_frame) {
-                if (!is_frame && length_of(part) >= shortest_px) {
-                    lines.push_back(std::move(part));
-                }
+                if (!is_frame && length_of(part) >= shortest_px) lines.push_back(std::move(part));
             });
     }
     return lines;
@@ -285,29 +279,20 @@ PhotoLines with_figure(PhotoLines lines, const cv::Mat& picture, const cv::Mat1b
     const cv::Mat1f soft = fitted(mask, lines.size);
     const std::vector<Chain> rings =
         rings_of(soft, strength, kReach_mm * px_per_mm, shortest_px, lines.high);
-    if (rings.empty()) {
-        return lines;
-    }
+    if (rings.empty()) return lines;
     std::vector<Chain> felt = off_frame(rings, lines.size, shortest_px);
     const cv::Mat1f distance = to_rings(felt, lines.size);
     const auto beside_px = static_cast<float>(kLeastApart_mm * px_per_mm);
     const auto place_of = [&](const EdgePoint& p) {
-        const cv::Point at(std::clamp(cvRound(p.at.x), 0, soft.cols - 1),
-                           std::clamp(cvRound(p.at.y), 0, soft.rows - 1));
-        if (distance(at) < beside_px) {
-            return Place::on_ring;
-        }
-        return soft(at) > kFigureLevel ? Place::inside : Place::outside;
+        const cv::Point at = pixel_at(p.at, soft.size());
+        if (distance(at) < beside_px) return RingSide::on_ring;
+        return soft(at) > kFigureLevel ? RingSide::inside : RingSide::outside;
     };
     const std::vector<Chain> all = std::exchange(lines.chains, std::move(felt));
     for (const Chain& line : all) {
-        cut_by_place(line, place_of, [&](Chain part, Place place) {
-            if (place == Place::on_ring || length_of(part) < shortest_px) {
-                return;
-            }
-            if (place == Place::outside) {
-                part.of = LineOf::background;
-            }
+        cut_by_place(line, place_of, [&](Chain part, RingSide place) {
+            if (place == RingSide::on_ring || length_of(part) < shortest_px) return;
+            if (place == RingSide::outside) part.of = LineOf::background;
             lines.chains.push_back(std::move(part));
         });
     }

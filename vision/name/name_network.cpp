@@ -67,9 +67,7 @@ constexpr std::array kGridSides{52, 26, 13};
 
 cv::Mat3b in_square(const cv::Mat3b& picture, const Letterbox& letterbox) {
     cv::Mat3b square(names_side_px, names_side_px, cv::Vec3b(0, 0, 0));
-    cv::Mat part = square(letterbox.part);
-    const bool shrinks = std::max(picture.cols, picture.rows) > names_side_px;
-    cv::resize(picture, part, part.size(), 0.0, 0.0, shrinks ? cv::INTER_AREA : cv::INTER_LINEAR);
+    stretched(picture, letterbox.part.size()).copyTo(square(letterbox.part));
     return square;
 }
 
@@ -145,7 +143,7 @@ Result<std::vector<GridAnswer>> NameNetwork::answers(const cv::Mat3b& square) {
     std::vector<GridAnswer> answers;
     for (std::size_t i = 0; i < kGridSides.size(); ++i) {
         const GridAnswer answer{kGridSides[i], (*found)[2 * i], (*found)[2 * i + 1]};
-        if (!cv::checkRange(answer.likelihoods, true, nullptr, 0.0, 1.0 + 1e-6))
+        if (!are_likelihoods(answer.likelihoods))
             return network_.unusable("its output is no likelihood");
         answers.push_back(answer);
     }

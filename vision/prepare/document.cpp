@@ -53,15 +53,10 @@ double visible_of(const QuadEvidence& evidence) {
     return sum;
 }
 
-double mean_support(const QuadEvidence& evidence) {
+/// Returns the mean of one kind of evidence over all of the outline in the picture.
+double mean_of(const QuadEvidence& evidence, double SideEvidence::*kind) {
     double sum = 0.0;
-    for (const SideEvidence& side : evidence) sum += side.visible * side.support;
-    return sum / std::max(visible_of(evidence), 1e-9);
-}
-
-double mean_contrast(const QuadEvidence& evidence) {
-    double sum = 0.0;
-    for (const SideEvidence& side : evidence) sum += side.visible * side.contrast;
+    for (const SideEvidence& side : evidence) sum += side.visible * side.*kind;
     return sum / std::max(visible_of(evidence), 1e-9);
 }
 
@@ -70,7 +65,7 @@ double mean_contrast(const QuadEvidence& evidence) {
 Judged judged(const cv::Mat1b& light, const Quad& corners, const QuadEvidence& evidence) {
     Judged one{corners, evidence};
     const double share = std::min(1.0, area_of(corners) / static_cast<double>(light.total()));
-    const double support = mean_support(one.evidence);
+    const double support = mean_of(one.evidence, &SideEvidence::support);
     one.score = support * support * std::sqrt(share);
     return one;
 }
@@ -80,8 +75,8 @@ bool is_page(const Judged& one) {
     const bool has_sides = std::all_of(
         one.evidence.begin(), one.evidence.end(),
         [](const SideEvidence& side) { return side.visible == 0.0 || side.support >= least_side; });
-    return has_sides && mean_support(one.evidence) >= least_mean &&
-           mean_contrast(one.evidence) >= least_contrast;
+    return has_sides && mean_of(one.evidence, &SideEvidence::support) >= least_mean &&
+           mean_of(one.evidence, &SideEvidence::contrast) >= least_contrast;
 }
 
 bool is_same(const Quad& a, const Quad& b) {

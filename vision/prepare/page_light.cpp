@@ -20,8 +20,7 @@ constexpr double paper_level = 235.0;
 constexpr double least_level = 12.0;  // of paper in deep shade; darker is not made brighter for it
 
 /// Paper in a shade of 60 % is still brighter than 0.4 of the brightest. Anything much darker is
-/// ink and must not be taken for the commonest colour, although it may cover half the page. So it
-/// gets colours far from all others and from each other, and no surface goes through it.
+/// ink and must not be taken for the commonest colour, although it may cover half the page.
 void silence_ink(cv::Mat3f& picture) {
     cv::Mat1f levels;
     cv::extractChannel(picture, levels, 1);
@@ -31,8 +30,7 @@ void silence_ink(cv::Mat3f& picture) {
         static_cast<float>(level_at(rounded, cv::Mat1b(rounded.size(), std::uint8_t{255}), 0.95));
     for (int y = 0; y < picture.rows; ++y)
         for (int x = 0; x < picture.cols; ++x)
-            if (levels(y, x) < ink_share * bright)
-                picture(y, x) = cv::Vec3f::all(-1000.0F * static_cast<float>(1 + (7 * y + x) % 97));
+            if (levels(y, x) < ink_share * bright) picture(y, x) = no_paper(x, y);
 }
 
 /// Returns the paper's colour at every pixel of a small copy. The surface is fitted to blue, green

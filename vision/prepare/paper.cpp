@@ -47,9 +47,7 @@ Place place_at(const LabPicture& lab, int column, int row) {
         for (int i = 0; i < kSamples; ++i, ++n) {
             const int x = (column * kSamples + i) * lab.cols / (kPlaces * kSamples);
             const int y = (row * kSamples + j) * lab.rows / (kPlaces * kSamples);
-            for (int c = 0; c < 3; ++c) {
-                values[static_cast<std::size_t>(c)][n] = lab(y, x)[c];
-            }
+            for (int c = 0; c < 3; ++c) values[static_cast<std::size_t>(c)][n] = lab(y, x)[c];
         }
     }
     return {terms_at((2.0 * column + 1.0) / kPlaces - 1.0, (2.0 * row + 1.0) / kPlaces - 1.0),
@@ -98,21 +96,15 @@ std::vector<const Place*> most_agreeing(const std::vector<Place>& places) {
     std::vector<const Place*> best;
     const auto consider = [&](const std::vector<const Place*>& chosen) {
         std::vector<const Place*> agree = agreeing(places, fitted(chosen));
-        if (agree.size() > best.size()) {
-            best = std::move(agree);
-        }
+        if (agree.size() > best.size()) best = std::move(agree);
     };
-    for (std::size_t i = 0; i < places.size(); i += 5) {
-        consider({&places[i]});
-    }
+    for (std::size_t i = 0; i < places.size(); i += 5) consider({&places[i]});
     for (int i = 0; i < kTries; ++i) {
         std::vector<const Place*> chosen(Paper::kTerms);
         std::ranges::generate(chosen, random_place);
         consider(chosen);
     }
-    for (int pass = 0; pass < 3; ++pass) {
-        best = agreeing(places, fitted(best));
-    }
+    for (int pass = 0; pass < 3; ++pass) best = agreeing(places, fitted(best));
     return best;
 }
 
@@ -121,9 +113,7 @@ std::vector<const Place*> alike(const std::vector<Place>& places, const Place& a
     constexpr double kSameColour = 0.1;  // grey levels
     std::vector<const Place*> found;
     for (const Place& place : places) {
-        if (cv::norm(place.colour - as.colour) <= kSameColour) {
-            found.push_back(&place);
-        }
+        if (cv::norm(place.colour - as.colour) <= kSameColour) found.push_back(&place);
     }
     return found;
 }
@@ -194,9 +184,7 @@ Paper::Paper(const LabPicture& lab) : size_(lab.size()) {
         }
     }
     weights_ = fitted(most_agreeing(places));
-    if (const auto colour = passed_by(weights_, places)) {
-        weights_ = even_surface(*colour);
-    }
+    if (const auto colour = passed_by(weights_, places)) weights_ = even_surface(*colour);
     part_ =
         static_cast<double>(agreeing(places, weights_).size()) / static_cast<double>(places.size());
 }
@@ -252,17 +240,13 @@ cv::Mat3f painted_over(const cv::Mat3f& picture, const cv::Mat1b& mask) {
     std::vector<cv::Vec3f> colours(picture.total() + 1);
     for (int y = 0; y < mask.rows; ++y) {
         for (int x = 0; x < mask.cols; ++x) {
-            if (mask(y, x) == 0) {
-                colours[static_cast<std::size_t>(nearest(y, x))] = picture(y, x);
-            }
+            if (mask(y, x) == 0) colours[static_cast<std::size_t>(nearest(y, x))] = picture(y, x);
         }
     }
     cv::Mat3f painted = picture.clone();
     for (int y = 0; y < mask.rows; ++y) {
         for (int x = 0; x < mask.cols; ++x) {
-            if (mask(y, x) != 0) {
-                painted(y, x) = colours[static_cast<std::size_t>(nearest(y, x))];
-            }
+            if (mask(y, x) != 0) painted(y, x) = colours[static_cast<std::size_t>(nearest(y, x))];
         }
     }
     return painted;

@@ -35,6 +35,12 @@ class Paper {
     double part_ = 0.0;
 };
 
+/// Returns a colour for a pixel that is surely not paper, even if it is more even than the paper
+/// is: far from all others and from those of other such pixels, so that no surface goes through it.
+[[nodiscard]] inline cv::Vec3f no_paper(int x, int y) {
+    return cv::Vec3f::all(-1000.0F * static_cast<float>(1 + (7 * y + x) % 97));
+}
+
 /// Returns the picture as it would be if the paper had the same colour everywhere as in its middle:
 /// light divided out, colours kept. Returns it unchanged if the paper has no light in the middle.
 /// O(pixels).

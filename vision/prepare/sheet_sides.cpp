@@ -27,9 +27,7 @@ std::vector<std::optional<int>> depths_of(const cv::Mat1b& paper) {
         int run = 0;
         for (int x = 0; x < deepest + kRun_px && run < kRun_px; ++x) {
             run = paper(y, x) != 0 ? run + 1 : 0;
-            if (run == kRun_px) {
-                depths[static_cast<std::size_t>(y)] = x + 1 - kRun_px;
-            }
+            if (run == kRun_px) depths[static_cast<std::size_t>(y)] = x + 1 - kRun_px;
         }
     }
     return depths;
@@ -106,9 +104,7 @@ Beside beside(std::size_t side, const Hole& hole, cv::Size whole, const SheetEdg
 }
 
 bool are_punched(const std::vector<Hole>& row, const std::vector<Beside>& places, double side_px) {
-    if (row.size() < 2 || row.size() > kMostHoles) {
-        return false;
-    }
+    if (row.size() < 2 || row.size() > kMostHoles) return false;
     double sum_px = 0.0;
     for (std::size_t i = 0; i < row.size(); ++i) {
         sum_px += places[i].along_px;
@@ -125,16 +121,12 @@ bool are_punched(const std::vector<Hole>& row, const std::vector<Beside>& places
 
 cv::Mat SideView::of(const cv::Mat& mat) const {
     cv::Mat out = is_transposed ? cv::Mat(mat.t()) : mat.clone();
-    if (is_flipped) {
-        cv::flip(out, out, 1);
-    }
+    if (is_flipped) cv::flip(out, out, 1);
     return out;
 }
 
 cv::Point2d SideView::back(cv::Point2d at, cv::Size size) const {
-    if (is_flipped) {
-        at.x = (is_transposed ? size.height : size.width) - 1 - at.x;
-    }
+    if (is_flipped) at.x = (is_transposed ? size.height : size.width) - 1 - at.x;
     return is_transposed ? cv::Point2d(at.y, at.x) : at;
 }
 
@@ -145,9 +137,7 @@ std::optional<SheetEdge> edge_of(const cv::Mat1b& paper) {
     const auto from = std::ranges::find_if(depths, is_known) - depths.begin();
     const auto to = std::find_if(depths.rbegin(), depths.rend(), is_known).base() - depths.begin();
     const auto rows = to - from;
-    if (rows < paper.rows / 2) {
-        return std::nullopt;
-    }
+    if (rows < paper.rows / 2) return std::nullopt;
     std::optional<SheetEdge> best;
     std::ptrdiff_t most = static_cast<std::ptrdiff_t>(kMostlyOnEdge * static_cast<double>(rows));
     const auto row_of = [&](int i) { return from + rows * (2 * i + 1) / (2 * kEdgeTries); };
@@ -155,9 +145,7 @@ std::optional<SheetEdge> edge_of(const cv::Mat1b& paper) {
         for (int j = i + kEdgeTries / 4; j < kEdgeTries; ++j) {
             const auto one = depths[static_cast<std::size_t>(row_of(i))];
             const auto other = depths[static_cast<std::size_t>(row_of(j))];
-            if (one.value_or(0) == 0 || other.value_or(0) == 0) {
-                continue;
-            }
+            if (one.value_or(0) == 0 || other.value_or(0) == 0) continue;
             SheetEdge edge;
             edge.lean =
                 static_cast<double>(*other - *one) / static_cast<double>(row_of(j) - row_of(i));

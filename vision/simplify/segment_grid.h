@@ -37,14 +37,10 @@ struct LineSegment {
     const cv::Point2d v = t.b - t.a;
     const cv::Point2d w = t.a - s.a;
     const double area = u.cross(v);
-    if (area == 0.0) {
-        return std::nullopt;
-    }
+    if (area == 0.0) return std::nullopt;
     const double along_s = w.cross(v) / area;
     const double along_t = w.cross(u) / area;
-    if (along_s < 0.0 || along_s > 1.0 || along_t < 0.0 || along_t > 1.0) {
-        return std::nullopt;
-    }
+    if (along_s < 0.0 || along_s > 1.0 || along_t < 0.0 || along_t > 1.0) return std::nullopt;
     return s.a + along_s * u;
 }
 
@@ -67,9 +63,7 @@ class SegmentGrid {
     template <class Visit>
     void near(cv::Point2d a, cv::Point2d b, double reach_mm, Visit&& visit) const {
         visit_cells(a, b, reach_mm, [&](std::size_t cell) {
-            for (const LineSegment& segment : cells_[cell]) {
-                visit(segment);
-            }
+            for (const LineSegment& segment : cells_[cell]) visit(segment);
         });
     }
 
@@ -80,9 +74,7 @@ class SegmentGrid {
         const int right = column(std::max(a.x, b.x) + reach_mm);
         for (int r = row(std::min(a.y, b.y) - reach_mm); r <= row(std::max(a.y, b.y) + reach_mm);
              ++r) {
-            for (int c = left; c <= right; ++c) {
-                visit(static_cast<std::size_t>(r * columns_ + c));
-            }
+            for (int c = left; c <= right; ++c) visit(static_cast<std::size_t>(r * columns_ + c));
         }
     }
 

@@ -80,9 +80,7 @@ constexpr int kLeastDetailOfBackground = 4;  // lower ones show what lies before
 std::vector<Chain> frames_of(std::vector<Chain>& lines, const cv::Rect2d& picture_mm) {
     std::vector<Chain> inner;
     std::vector<Chain> around;
-    for (const Chain& line : lines) {
-        (is_frame(line, picture_mm) ? around : inner).push_back(line);
-    }
+    for (const Chain& line : lines) (is_frame(line, picture_mm) ? around : inner).push_back(line);
     const bool is_stroke = std::ranges::any_of(
         around, [](double width_px) { return width_px > 0.0; }, &Chain::width_px);
     const bool is_one_with_the_rest =
@@ -110,9 +108,7 @@ void put_figure_first(std::vector<RankedLine>& order, int detail) {
 int lowest_detail(int strokes, double line_mm, int detail, const Area& area) {
     for (int lower = 1; lower < detail; ++lower) {
         const DetailLimits limits = limits_for(lower, area);
-        if (strokes == 1 || (strokes <= limits.strokes && line_mm <= limits.line_mm)) {
-            return lower;
-        }
+        if (strokes == 1 || (strokes <= limits.strokes && line_mm <= limits.line_mm)) return lower;
     }
     return detail;
 }
@@ -174,9 +170,7 @@ Complexity complexity_of(int parts, double line_mm, const Area& area) {
 }
 
 std::string words_for(const TactileMap& map, const SimplifyReport& report, int detail) {
-    if (map.outlines.empty()) {
-        return "There is no line here.";
-    }
+    if (map.outlines.empty()) return "There is no line here.";
     constexpr std::array<std::string_view, 3> kEffort{"simple", "of medium difficulty", "complex"};
     std::string words = fmt::format("{}, {} centimetres of line, {}.", counted(report.parts),
                                     static_cast<int>(std::lround(0.1 * report.line_mm)),
@@ -184,9 +178,7 @@ std::string words_for(const TactileMap& map, const SimplifyReport& report, int d
     const Outline& largest = *std::ranges::max_element(map.outlines, {}, diagonal_of);
     words += fmt::format(" {} lies {}.", report.parts == 1 ? "It" : "The largest",
                          where(place_of(largest, map.area)));
-    if (report.frames_dropped > 0) {
-        words += " A frame around the picture is left out.";
-    }
+    if (report.frames_dropped > 0) words += " A frame around the picture is left out.";
     if (report.left_out > 0 && detail < kMostDetail) {
         words += " More lines are shown at a higher detail.";
     } else if (report.left_out > 0 && report.is_full) {
@@ -231,9 +223,7 @@ Simplified simplified(const PictureLines& found, const Area& area, int detail, c
     report.crossings_opened = selection.crossings_opened();
     report.complexity = complexity_of(report.parts, report.line_mm, map.area);
     std::vector<bool> is_shown(order.size(), false);
-    for (const Stroke& stroke : selection.strokes()) {
-        is_shown[stroke.line] = true;
-    }
+    for (const Stroke& stroke : selection.strokes()) is_shown[stroke.line] = true;
     report.lines = static_cast<int>(order.size());
     report.is_full = selection.is_full();
     report.left_out = static_cast<int>(std::ranges::count(is_shown, false));

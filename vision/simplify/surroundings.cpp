@@ -34,17 +34,15 @@ struct Join {
 std::vector<FreeEnd> free_ends(const std::vector<Chain>& lines) {
     std::map<Place, int> uses;
     for (const Chain& line : lines) {
-        for (const EdgePoint& p : line.points) {
-            ++uses[place_of(p.at)];
-        }
+        for (const EdgePoint& p : line.points) ++uses[place_of(p.at)];
     }
     std::vector<FreeEnd> ends;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         for (const EndId id : {front_of(i), back_of(i)}) {
-            const std::vector<EdgePoint>& points = lines[i].points;
-            const cv::Point2d at = is_back(id) ? points.back().at : points.front().at;
+            const cv::Point2d at = point_at(lines, id).at;
             if (!lines[i].is_closed && uses[place_of(at)] == 1) {
-                ends.push_back({id, at, ray_at(points, is_back(id), kSkip_mm, kSpan_mm).direction});
+                ends.push_back(
+                    {id, at, ray_at(lines[i].points, is_back(id), kSkip_mm, kSpan_mm).direction});
             }
         }
     }
@@ -66,13 +64,9 @@ cv::Mat1b free_cells(const std::vector<Chain>& lines, cv::Size2d area_mm) {
     const cv::Point far = cell_of({area_mm.width, area_mm.height});
     cv::Mat1b cells(far.y + kRim + 1, far.x + kRim + 1, uchar{255});
     for (const Chain& line : lines) {
-        if (length_of(line) < kLeastWall_mm) {
-            continue;
-        }
+        if (length_of(line) < kLeastWall_mm) continue;
         std::vector<cv::Point> points;
-        for (const EdgePoint& p : line.points) {
-            points.push_back(cell_of(p.at));
-        }
+        for (const EdgePoint& p : line.points) points.push_back(cell_of(p.at));
         cv::polylines(cells, points, line.is_closed, cv::Scalar(0), 1, cv::LINE_8);
     }
     return cells;
@@ -157,9 +151,7 @@ enum class Side { inside, round_a_thing, outside };
 
 Side side_of(const Chain& line, const Outside& outside) {
     constexpr double kMostly = 0.5;
-    if (outside.share_of(line) <= kMostly) {
-        return Side::inside;
-    }
+    if (outside.share_of(line) <= kMostly) return Side::inside;
     return outside.share_on_both_sides(line) > kMostly ? Side::outside : Side::round_a_thing;
 }
 
@@ -169,12 +161,8 @@ std::vector<EndId> round_at(const std::vector<EndId>& meeting, const std::vector
     std::vector<EndId> round;
     for (const EndId end : meeting) {
         const Side side = sides[chain_of(end)];
-        if (side == Side::outside) {
-            return {};
-        }
-        if (side == Side::round_a_thing) {
-            round.push_back(end);
-        }
+        if (side == Side::outside) return {};
+        if (side == Side::round_a_thing) round.push_back(end);
     }
     return round.size() == 2 ? round : std::vector<EndId>();
 }
@@ -281,33 +269,21 @@ bool is_met(const Chain& line, const std::vector<Chain>& others) {
 }
 
 double held_area(const Chain& line) {
-    double twice = 0.0;
-    for (std::size_t i = 0; line.is_closed && i < line.points.size(); ++i) {
-        twice += line.points[i].at.cross(line.points[(i + 1) % line.points.size()].at);
-    }
-    return 0.5 * std::abs(twice);
+    return line.is_closed ? std::abs(area_within(line)) : 0.0;
 }
 
 std::vector<Chain> with_silhouettes_joined(std::vector<Chain> lines, const Outside& outside) {
     const std::set<Place> junctions = ends_of(lines);
     Arms arms;
-    for (Chain& line : lines) {
-        cut(std::move(line), junctions, arms);
-    }
+    for (Chain& line : lines) cut(std::move(line), junctions, arms);
     std::vector<Side> sides;
-    for (const Chain& arm : arms.chains) {
-        sides.push_back(side_of(arm, outside));
-    }
+    for (const Chain& arm : arms.chains) sides.push_back(side_of(arm, outside));
     JunctionSet set(0.0, 0.0);
     for (const auto& [place, meeting] : arms.meeting) {
         const std::vector<EndId> round = round_at(meeting, sides);
-        if (!round.empty()) {
-            set.add_joint(round[0], round[1]);
-        }
+        if (!round.empty()) set.add_joint(round[0], round[1]);
         for (const auto& [a, b] : arms.through[place]) {
-            if (!std::ranges::count(round, a) && !std::ranges::count(round, b)) {
-                set.add_joint(a, b);
-            }
+            if (!std::ranges::count(round, a) && !std::ranges::count(round, b)) set.add_joint(a, b);
         }
     }
     return set.assembled(std::move(arms.chains));

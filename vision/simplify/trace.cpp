@@ -29,26 +29,14 @@ struct ClassLines {
     PhotoLines found;
 };
 
-/// photo: edges, and the main shape if one convinces; diagram: borders of flat colour; line art:
-/// middle lines of strokes up to 6 mm wide; text page: a line through each line of text, and a box
-/// around each figure (letters are not felt). If the way of its class finds nothing, or fifty times
-/// more specks than lines, the picture is treated as a photo. For classes other than photo, `high`
-/// is half the mean strength of the lines. `longer_side_mm`: how long the picture's longer side
-/// will be at the handle. `figure`: the mask of a photo's main things (vision/figure), instead of
-/// its main shape; empty: none. Throws cv::Exception without memory. Deterministic. Threads: pure
-/// function. O(pixels).
-[[nodiscard]] ClassLines class_lines(const cv::Mat& picture, PictureClass picture_class,
-                                     double longer_side_mm, const cv::Mat1b& figure = {});
-
-constexpr double kWorkingPixels = 1e6;  // 0.1 mm a pixel on a drawing area of 116 x 84 mm
-
-Chain box_around(const cv::Rect& box, double strength) {
+Chain box_around(const cv::Rect& box) {
+    constexpr double kStrength = 1.0;
     const cv::Point2d low(box.x - 0.5, box.y - 0.5);
     const cv::Point2d high = low + cv::Point2d(box.width, box.height);
-    return {{{low, strength, true},
-             {{high.x, low.y}, strength, true},
-             {high, strength, true},
-             {{low.x, high.y}, strength, true}},
+    return {{{low, kStrength, true},
+             {{high.x, low.y}, kStrength, true},
+             {high, kStrength, true},
+             {{low.x, high.y}, kStrength, true}},
             true,
             0.0,
             LineOf::figure};
@@ -65,9 +53,7 @@ std::vector<Chain> page_lines(const LabPicture& lab, double noise) {
                          static_cast<double>(text.box.height),
                          LineOf::text});
     }
-    for (const cv::Rect& figure : page.figures) {
-        lines.push_back(box_around(figure, 1.0));
-    }
+    for (const cv::Rect& figure : page.figures) lines.push_back(box_around(figure));
     return lines;
 }
 
@@ -75,9 +61,7 @@ double mean_strength(const std::vector<Chain>& lines) {
     double sum = 0.0;
     std::size_t count = 0;
     for (const Chain& line : lines) {
-        for (const EdgePoint& p : line.points) {
-            sum += p.strength;
-        }
+        for (const EdgePoint& p : line.points) sum += p.strength;
         count += line.points.size();
     }
     return count == 0 ? 0.0 : sum / static_cast<double>(count);
@@ -115,9 +99,7 @@ PhotoLines drawn_lines(const cv::Mat& picture, PictureClass picture_class, doubl
 /// Adds the main shape to a photo's lines.
 void add_main_shape(const cv::Mat& picture, PhotoLines& found) {
     std::optional<Chain> shape = main_shape(picture, std::nullopt);
-    if (!shape) {
-        return;
-    }
+    if (!shape) return;
     for (EdgePoint& p : shape->points) {
         p.at = {(p.at.x + 0.5) * found.size.width / picture.cols - 0.5,
                 (p.at.y + 0.5) * found.size.height / picture.rows - 0.5};
@@ -126,6 +108,14 @@ void add_main_shape(const cv::Mat& picture, PhotoLines& found) {
     found.chains.push_back(std::move(*shape));
 }
 
+/// photo: edges, and the main shape if one convinces; diagram: borders of flat colour; line art:
+/// middle lines of strokes up to 6 mm wide; text page: a line through each line of text, and a box
+/// around each figure (letters are not felt). If the way of its class finds nothing, or fifty times
+/// more specks than lines, the picture is treated as a photo. For classes other than photo, `high`
+/// is half the mean strength of the lines. `longer_side_mm`: how long the picture's longer side
+/// will be at the handle. `figure`: the mask of a photo's main things (vision/figure), instead of
+/// its main shape; empty: none. Throws cv::Exception without memory. Deterministic. Threads: pure
+/// function. O(pixels).
 ClassLines class_lines(const cv::Mat& picture, PictureClass picture_class, double longer_side_mm,
                        const cv::Mat1b& figure) {
     if (picture_class != PictureClass::photo) {
@@ -147,8 +137,6 @@ ClassLines class_lines(const cv::Mat& picture, PictureClass picture_class, doubl
     return {PictureClass::photo, std::move(found)};
 }
 
-constexpr double kClassPixels = 1e6;
-
 std::string size_of(const cv::Mat& picture) {
     return std::to_string(picture.cols) + " x " + std::to_string(picture.rows);
 }
@@ -164,13 +152,6 @@ Result<void> check(const cv::Mat& picture) {
     return {};
 }
 
-Result<void> check(const Area& area) {
-    if (!is_usable(area)) {
-        return failure("the drawing area must be between 1 mm and 1 m on each side");
-    }
-    return {};
-}
-
 Result<void> check(const TraceOptions& options) {
     if (options.detail < 1 || options.detail > kMostDetail) {
         return failure("detail is " + std::to_string(options.detail) + "; it must be 1 to 5");
@@ -182,7 +163,10 @@ Result<void> check(const TraceOptions& options) {
     if (!std::isfinite(options.zoom.centre.x) || !std::isfinite(options.zoom.centre.y)) {
         return failure("the middle of the zoom is no place; choose another part of the picture");
     }
-    return check(options.area);
+    if (!is_usable(options.area)) {
+        return failure("the drawing area must be between 1 mm and 1 m on each side");
+    }
+    return {};
 }
 
 /// For a visitor, unlike a library's own message. Only lack of memory is known to occur.
@@ -221,8 +205,7 @@ std::string nothing_found(const cv::Mat& picture, double mm_per_pixel, const Pho
     }
     if (found.specks_dropped > 0) {
         return "no outline found, because all that is in the picture is too small for a finger; "
-               "use a "
-               "larger area, or a closer picture";
+               "use a larger area, or a closer picture";
     }
     return "no outline found, because nothing in the picture stands out from its background; use "
            "a picture with more contrast";
@@ -262,7 +245,7 @@ Result<Found> find_lines(const cv::Mat& picture, const TraceOptions& options,
         const double mm_per_pixel = 1000.0 / placement.picture_pixels_per_metre();
         const double longer_side_mm = mm_per_pixel * std::max(picture.cols, picture.rows);
         // Reduced once, because every way of finding lines starts from at most a megapixel.
-        const cv::Mat small = without_dots(reduced(picture, kClassPixels));
+        const cv::Mat small = without_dots(reduced(picture, kWorkingPixels));
         const cv::Mat sheet = within_sheet(small);
         ClassDecision decision = decided(sheet, options, !figure.empty());
         const bool is_photo = decision.picture_class == PictureClass::photo;

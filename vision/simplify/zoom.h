@@ -83,9 +83,7 @@ struct Zoom {
     outline.is_closed = line.is_closed;
     for (const EdgePoint& point : line.points) {
         const Position p = canonical_point(point.at.x, point.at.y, area);
-        if (outline.points.empty() || !(outline.points.back() == p)) {
-            outline.points.push_back(p);
-        }
+        if (outline.points.empty() || !(outline.points.back() == p)) outline.points.push_back(p);
     }
     if (outline.is_closed && outline.points.front() == outline.points.back()) {
         outline.points.pop_back();
