@@ -55,7 +55,7 @@ struct FrameQuality {
 /// than the frame. O(bytes + pixels of the frame).
 [[nodiscard]] Result<cv::Mat> to_bgr(const CameraFrame& frame, cv::Size wanted);
 
-/// Measures an 8-bit BGR picture.
+/// Measures whether an 8-bit BGR picture is sharp and not overexposed. O(pixels).
 [[nodiscard]] FrameQuality measure_quality(const cv::Mat& bgr);
 
 }  // namespace touchline

@@ -181,7 +181,7 @@ LibcameraPort::Stream::~Stream() {
         for (const auto& stream : *configuration_) allocator_.free(stream.stream());
 }
 
-Result<std::unique_ptr<Stream>> LibcameraPort::Stream::start(
+Result<std::unique_ptr<LibcameraPort::Stream>> LibcameraPort::Stream::start(
     std::shared_ptr<libcamera::Camera> camera, const StreamPlan& plan,
     const std::vector<LoopOrder>& orders) {
     std::unique_ptr<Stream> stream(new Stream(std::move(camera)));

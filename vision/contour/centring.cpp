@@ -110,7 +110,7 @@ class Centring {
             widths_px.push_back(*one + *other);
         }
         line_.points = std::move(moved);
-        if (!widths_px.empty()) line_.width_px = median(std::move(widths_px));
+        if (!widths_px.empty()) line_.width_px = median_of(std::move(widths_px));
     }
 
     void smooth() {

@@ -276,7 +276,7 @@ class Joiner {
         }
         const double widest_px = kWidestGap_mm * mm_px_;
         if (pitches.empty()) return widest_px;
-        return std::max(widest_px, median(std::move(pitches)));
+        return std::max(widest_px, median_of(std::move(pitches)));
     }
 
     /// Short dashes may look like dots; then they are as long as those that do not.
@@ -335,7 +335,7 @@ class Joiner {
 
     static bool are_alike(const std::vector<double>& values) {
         if (values.empty()) return true;
-        const double usual = median(values);
+        const double usual = median_of(values);
         const auto like = std::ranges::count_if(values, [&](double value) {
             return std::abs(value - usual) <= kLike * std::abs(usual) + 1.0;
         });

@@ -64,7 +64,7 @@ template <class T>
 
 /// Returns the middle one of some values, of which there is one; the upper of two. O(values).
 template <class T>
-[[nodiscard]] T median(std::vector<T> values) {
+[[nodiscard]] T median_of(std::vector<T> values) {
     const auto middle = values.begin() + std::ssize(values) / 2;
     std::ranges::nth_element(values, middle);
     return *middle;

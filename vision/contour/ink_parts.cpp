@@ -64,7 +64,7 @@ std::vector<float> usual_depths(const cv::Mat1f& depth, const cv::Mat1i& piece, 
     std::vector<float> usual(ridges.size(), 0.0F);
     for (std::size_t i = 0; i < ridges.size(); ++i) {
         if (!ridges[i].empty()) {
-            const float depth_px = median(ridges[i]);
+            const float depth_px = median_of(ridges[i]);
             const auto alike = std::ranges::count_if(ridges[i], [depth_px](float each) {
                 return std::abs(each - depth_px) <= kAlike * depth_px + 0.5F;
             });

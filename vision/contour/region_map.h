@@ -42,7 +42,7 @@ void overgrow(cv::Mat1b& map, const cv::Mat1b& mask);
 /// Returns by how much a colour differs from the ground at most, grey levels. O(colours).
 [[nodiscard]] double strongest_contrast(const std::vector<cv::Vec3f>& palette, uchar ground);
 
-/// Pixels of one colour beside each other in a row.
+/// Pixels of one colour beside each other in a row. Flat pictures have few such runs.
 struct Run {
     int row = 0;
     int from = 0;  // columns from ... to - 1

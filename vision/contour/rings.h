@@ -13,6 +13,7 @@ namespace touchline {
 /// once: one round every area of elements >= level that touch by their sides, one round every hole
 /// in it. Beyond the border everything counts as far below. Points are in elements, (column, row)
 /// at an element's centre; higher values are to the right of the way (y down: areas clockwise).
+/// O(elements).
 [[nodiscard]] std::vector<Chain> iso_rings(const cv::Mat1f& values, float level);
 
 /// Returns the signed area within a ring, elements squared: positive if iso_rings runs round an

@@ -46,7 +46,7 @@ double middle_width(const std::vector<Chain>& arms, const std::vector<std::size_
         }
     }
     if (depths.empty()) return 0.0;
-    return std::max(1.0, 2.0 * static_cast<double>(median(std::move(depths))) - 1.0);
+    return std::max(1.0, 2.0 * static_cast<double>(median_of(std::move(depths))) - 1.0);
 }
 
 class StrokeTracer {

@@ -18,6 +18,7 @@
 
 namespace touchline {
 
+/// Why a document was not captured, and what to do, as said to a visitor who lays it down by touch.
 /// Directions are those in the picture; the camera looks down with its top away from the visitor.
 enum class CaptureTrouble : std::uint8_t {
     none,

@@ -25,6 +25,7 @@ struct SideEvidence {
 
 using QuadEvidence = std::array<SideEvidence, 4>;
 
+/// Judges whether lines are the sides of a page. O(length), as are the next two.
 /// `quad` is clockwise; side i runs from corner i to corner i + 1. A place counts as support if it
 /// is brighter inside within two pixels of the line: quick, for many candidates. Leaves out
 /// contrast.

@@ -101,7 +101,7 @@ bool stand_on_base_line(const std::vector<Mark>& marks) {
     std::vector<double> heights;
     std::vector<double> slopes;
     for (const Mark& mark : marks) heights.push_back(mark.box.height);
-    const double height = median(heights);
+    const double height = median_of(heights);
     for (std::size_t i = 0; i < marks.size(); ++i) {
         for (std::size_t j = i + 1; j < marks.size() && slopes.size() < 4000; ++j) {
             const double run = marks[j].box.x - marks[i].box.x;
@@ -110,10 +110,10 @@ bool stand_on_base_line(const std::vector<Mark>& marks) {
             }
         }
     }
-    const double slope = slopes.empty() ? 0.0 : median(slopes);
+    const double slope = slopes.empty() ? 0.0 : median_of(slopes);
     std::vector<double> bases;
     for (const Mark& mark : marks) bases.push_back(mark.box.br().y - slope * mark.box.x);
-    const double base = median(bases);
+    const double base = median_of(bases);
     const auto standing = std::ranges::count_if(
         bases, [&](double b) { return std::abs(b - base) <= std::max(1.01, kOffBase * height); });
     return static_cast<double>(standing) >= kOnBase * static_cast<double>(marks.size());
@@ -131,9 +131,9 @@ bool are_of_one_shape(const std::vector<Mark>& marks) {
         heights.push_back(mark.box.height);
         areas_px.push_back(mark.area_px);
     }
-    const double width = median(widths);
-    const double height = median(heights);
-    const double area_px = median(areas_px);
+    const double width = median_of(widths);
+    const double height = median_of(heights);
+    const double area_px = median_of(areas_px);
     const auto alike = std::ranges::count_if(marks, [&](const Mark& mark) {
         return std::abs(mark.box.width - width) <= std::max(1.0, kSame * width) &&
                std::abs(mark.box.height - height) <= std::max(1.0, kSame * height) &&

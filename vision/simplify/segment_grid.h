@@ -92,7 +92,7 @@ class SegmentGrid {
     std::vector<std::vector<LineSegment>> cells_;
 };
 
-/// A point where a map will have it.
+/// A point where a map will have it: on its grid of nanometres, in whole numbers.
 struct GridPoint {
     std::int64_t x = 0;
     std::int64_t y = 0;

@@ -23,7 +23,7 @@ struct RankedLine {
 /// (1 + r), r = mean strength / high, never zero; closure 1 for a closed line, 2/3 for an open one
 /// (a finger can lose it); place 1 outside ... 0.7 inside; never less than the least weight of a
 /// map's outline. Sorted by falling salience; ties keep their order. `outer_shares`: one for each
-/// line.
+/// line. O(n log n).
 [[nodiscard]] std::vector<RankedLine> ranked(std::vector<Chain> lines,
                                              const std::vector<double>& outer_shares, double high);
 

@@ -1,5 +1,6 @@
-#include "vision/prepare/document.h"
 #include "vision/prepare/quad.h"
+
+#include "vision/prepare/document.h"
 
 #include <algorithm>
 #include <cmath>

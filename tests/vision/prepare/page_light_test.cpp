@@ -1,5 +1,6 @@
-#include "tests/vision/prepare/page_photos.h"
 #include "vision/prepare/page_light.h"
+
+#include "tests/vision/prepare/page_photos.h"
 #include "vision/prepare/paper.h"
 
 #include <algorithm>
