@@ -7,7 +7,6 @@
 #include "vision/contour/skeleton.h"
 
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace touchline {

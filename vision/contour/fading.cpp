@@ -3,7 +3,6 @@
 #include "vision/contour/region_map.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <utility>
 

@@ -1,7 +1,6 @@
 #include "vision/contour/junctions.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <numbers>
 

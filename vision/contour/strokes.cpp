@@ -272,7 +272,7 @@ class StrokeTracer {
 };
 
 /// Returns the contrast that all but one in fifty of the ink's pixels stay below.
-double strongest_contrast(const Ink& ink) {
+double strong_contrast(const Ink& ink) {
     std::vector<float> contrasts;
     for (int y = 0; y < ink.mask.rows; ++y) {
         for (int x = 0; x < ink.mask.cols; ++x) {
@@ -286,7 +286,7 @@ double strongest_contrast(const Ink& ink) {
 }
 
 Ink without_grid(Ink ink, double greatest_width_px) {
-    const cv::Mat1b pale((ink.contrast <= kPalest * strongest_contrast(ink)) & ink.mask);
+    const cv::Mat1b pale((ink.contrast <= kPalest * strong_contrast(ink)) & ink.mask);
     const cv::Mat1b grid = grid_of(pale, greatest_width_px);
     if (!grid.empty()) {
         ink.mask.setTo(0, grid);

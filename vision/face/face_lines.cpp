@@ -1,5 +1,6 @@
 #include "vision/face/face_lines.h"
 
+#include "vision/contour/gradient.h"
 #include "vision/simplify/shaping.h"
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 
 #include "vision/contour/chain.h"
 #include "vision/contour/gradient.h"
+#include "vision/contour/ink_parts.h"
 #include "vision/contour/rings.h"
 
 #include <algorithm>
@@ -134,8 +135,7 @@ int nearest_piece(const Pieces& pieces, cv::Point at, double reach_px) {
 cv::Mat along_edge(const cv::Mat& mask) {
     constexpr double kNearest = 0.013;  // of the picture's side
     constexpr double kFarthest = 0.039;
-    cv::Mat1f depth_px;
-    cv::distanceTransform(mask, depth_px, cv::DIST_L2, 5);
+    const cv::Mat1f depth_px = depth_of(mask);
     cv::Mat along = (depth_px > kNearest * mask.cols) & (depth_px <= kFarthest * mask.cols);
     return cv::countNonZero(along) > 0 ? along : mask;
 }
@@ -197,9 +197,7 @@ cv::Mat1f to_rings(const std::vector<Chain>& rings, cv::Size size) {
         }
         cv::polylines(free, points, ring.is_closed, cv::Scalar(0));
     }
-    cv::Mat1f distance;
-    cv::distanceTransform(free, distance, cv::DIST_L2, 5);
-    return distance;
+    return depth_of(free);
 }
 
 enum class RingSide { on_ring, inside, outside };

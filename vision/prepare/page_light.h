@@ -3,8 +3,6 @@
 // Threads: pure functions, O(pixels).
 #pragma once
 
-#include <cstdint>
-
 #include <opencv2/core.hpp>
 
 namespace touchline {

@@ -1,11 +1,11 @@
 #include "vision/simplify/spacing.h"
 
+#include "vision/contour/rings.h"
 #include "vision/simplify/surroundings.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <set>
 #include <utility>
 

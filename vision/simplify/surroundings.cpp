@@ -1,6 +1,8 @@
 #include "vision/simplify/surroundings.h"
 
+#include "vision/contour/ink_parts.h"
 #include "vision/contour/junctions.h"
+#include "vision/contour/rings.h"
 
 #include <algorithm>
 #include <array>
@@ -206,12 +208,10 @@ std::vector<Chain> with_breaks_closed(std::vector<Chain> lines, double reach_mm)
 }
 
 Outside::Outside(const std::vector<Chain>& lines, cv::Size2d area_mm) {
-    cv::Mat1f to_line;
-    cv::distanceTransform(free_cells(lines, area_mm), to_line, cv::DIST_L2, 5);
-    cv::Mat passable = to_line > kDisc_mm / kCell_mm;
+    cv::Mat passable = depth_of(free_cells(lines, area_mm)) > kDisc_mm / kCell_mm;
     constexpr uchar kOutside = 128;
     cv::floodFill(passable, cv::Point(0, 0), cv::Scalar(kOutside), nullptr, {}, {}, 8);
-    cv::distanceTransform(passable != kOutside, to_outside_, cv::DIST_L2, 5);
+    to_outside_ = depth_of(passable != kOutside);
 }
 
 double Outside::share_of(const Chain& line) const {
