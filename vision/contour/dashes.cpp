@@ -88,7 +88,7 @@ std::vector<DashOrDot> pieces_of(const std::vector<Chain>& lines, double mm_px) 
 struct Gap {
     double length_px = 0.0;             // along the way
     std::optional<cv::Point2d> corner;  // where the courses of the two meet, off the straight way
-    std::size_t dash = kNoEnd;          // the piece that is bent round that corner
+    std::optional<std::size_t> dash;    // the piece that is bent round that corner
 };
 
 struct Link {
@@ -131,8 +131,8 @@ class Joiner {
     void mark_gone(const std::vector<EndId>& way, bool is_ring, std::vector<bool>& is_gone) const {
         for (std::size_t i = 0; i < way.size(); ++i) {
             is_gone[piece(way[i]).line] = true;
-            const std::size_t bent = i > 0 || is_ring ? gap_before(way, i).dash : kNoEnd;
-            if (bent != kNoEnd) is_gone[pieces_[bent].line] = true;
+            const auto bent = i > 0 || is_ring ? gap_before(way, i).dash : std::nullopt;
+            if (bent) is_gone[pieces_[*bent].line] = true;
         }
     }
 
@@ -162,7 +162,7 @@ class Joiner {
     [[nodiscard]] double beyond_px(EndId end) const { return 0.5 * piece(end).width_px; }
 
     [[nodiscard]] Gap gap_between(EndId a, EndId b) const {
-        const Gap straight{distance(place(a), place(b)) - beyond_px(a) - beyond_px(b), {}};
+        const Gap straight{distance(place(a), place(b)) - beyond_px(a) - beyond_px(b), {}, {}};
         if (piece(a).is_dot || piece(b).is_dot) return straight;
         const Ray from_a{place(a), direction(a)};
         const Ray from_b{place(b), direction(b)};
@@ -177,8 +177,8 @@ class Joiner {
             return straight;
         }
         const Gap bent{ahead_a + ahead_b - beyond_px(a) - beyond_px(b), corner, dot_at(*corner)};
-        if (bent.dash == kNoEnd) return bent;
-        return {0.5 * (bent.length_px - pieces_[bent.dash].length_px), corner, bent.dash};
+        if (!bent.dash) return bent;
+        return {0.5 * (bent.length_px - pieces_[*bent.dash].length_px), corner, bent.dash};
     }
 
     /// Returns the gap before the i-th piece of a way; before the first, the one from the last
@@ -188,11 +188,12 @@ class Joiner {
     }
 
     /// Returns the dot at a corner: a dash bent round a sharp corner is as wide as it is long.
-    [[nodiscard]] std::size_t dot_at(const cv::Point2d& corner) const {
+    [[nodiscard]] std::optional<std::size_t> dot_at(const cv::Point2d& corner) const {
         const auto at = std::ranges::find_if(pieces_, [&](const DashOrDot& piece) {
             return piece.is_dot && distance(piece.middle(), corner) <= 0.75 * piece.length_px;
         });
-        return at == pieces_.end() ? kNoEnd : static_cast<std::size_t>(at - pieces_.begin());
+        if (at == pieces_.end()) return std::nullopt;
+        return static_cast<std::size_t>(at - pieces_.begin());
     }
 
     [[nodiscard]] double bend(EndId end, const cv::Point2d& way) const {
