@@ -126,18 +126,71 @@ class LibcameraPort::Stream {
     /// lives.
     [[nodiscard]] static Result<std::unique_ptr<Stream>> start(
         std::shared_ptr<libcamera::Camera> camera, const StreamPlan& plan,
-        const std::vector<LoopOrder>& orders);
-    ~Stream();
+        const std::vector<LoopOrder>& orders) {
+        std::unique_ptr<Stream> stream(new Stream(std::move(camera)));
+        if (auto done = stream->configure(plan); !done) return tl::unexpected(done.error());
+        if (auto done = stream->prepare_buffers(); !done) return tl::unexpected(done.error());
+        stream->camera_->requestCompleted.connect(stream.get(), &Stream::has_completed);
+        if (stream->camera_->start() != 0) return failure("the camera does not start");
+        stream->is_started_ = true;
+        for (const LoopOrder order : orders) stream->order(order);
+        for (const auto& request : stream->requests_) stream->queue(*request);
+        return stream;
+    }
+
+    ~Stream() {
+        // After this, no thread of libcamera is in has_completed().
+        if (is_started_) camera_->stop();
+        camera_->requestCompleted.disconnect(this);
+        requests_.clear();
+        for (const auto& [buffer, planes] : mappings_)
+            for (const Mapping& plane : planes) munmap(plane.start, plane.size_bytes);
+        if (configuration_)
+            for (const auto& stream : *configuration_) allocator_.free(stream.stream());
+    }
+
     Stream(const Stream&) = delete;
     Stream(Stream&&) = delete;
     Stream& operator=(const Stream&) = delete;
     Stream& operator=(Stream&&) = delete;
 
-    void order(LoopOrder order);
+    void order(LoopOrder order) {
+        switch (order) {
+            case LoopOrder::lock_exposure:
+                orders_.set(controls::AeEnable, false);
+                break;
+            case LoopOrder::free_exposure:
+                orders_.set(controls::AeEnable, true);
+                break;
+            case LoopOrder::focus_once:
+                orders_.set(controls::AfMode, std::int32_t{controls::AfModeAuto});
+                orders_.set(controls::AfTrigger, std::int32_t{controls::AfTriggerStart});
+                break;
+            case LoopOrder::focus_freely:
+                orders_.set(controls::AfMode, std::int32_t{controls::AfModeContinuous});
+                break;
+        }
+    }
 
     void request_still() { is_still_wanted_ = true; }
 
-    [[nodiscard]] std::optional<TakenFrame> take();
+    /// Frames that nobody took in time go back unseen, but a still is never skipped.
+    [[nodiscard]] std::optional<TakenFrame> take() {
+        std::vector<libcamera::Request*> completed;
+        {
+            const std::lock_guard lock(mutex_);
+            completed.swap(completed_);
+        }
+        if (completed.empty()) return std::nullopt;
+        const auto still =
+            std::find_if(completed.begin(), completed.end(),
+                         [](const auto* request) { return request->buffers().size() > 1; });
+        libcamera::Request& chosen = still == completed.end() ? *completed.back() : **still;
+        TakenFrame taken = copy_of(chosen);
+        taken.loops = loops_of(chosen.metadata());
+        for (libcamera::Request* request : completed) queue(*request);
+        return taken;
+    }
 
   private:
     /// The memory of a buffer's planes, mapped into this process.
@@ -147,13 +200,99 @@ class LibcameraPort::Stream {
         const std::uint8_t* bytes = nullptr;
     };
 
-    explicit Stream(std::shared_ptr<libcamera::Camera> camera);
-    [[nodiscard]] Result<void> configure(const StreamPlan& plan);
-    [[nodiscard]] Result<void> prepare_buffers();
-    [[nodiscard]] Result<void> map(const libcamera::FrameBuffer& buffer);
-    [[nodiscard]] TakenFrame copy_of(const libcamera::Request& request) const;
-    void has_completed(libcamera::Request* request);
-    void queue(libcamera::Request& request);
+    explicit Stream(std::shared_ptr<libcamera::Camera> camera)
+        : camera_(std::move(camera)), allocator_(camera_), orders_(controls::controls) {}
+
+    [[nodiscard]] Result<void> configure(const StreamPlan& plan) {
+        std::vector<StreamRole> roles{StreamRole::Viewfinder};
+        if (plan.still) roles.push_back(StreamRole::StillCapture);
+        configuration_ = camera_->generateConfiguration(roles);
+        if (!configuration_ || configuration_->size() != roles.size())
+            return failure("the camera does not give the streams that it offered");
+        set_mode(configuration_->at(0), plan.preview);
+        if (plan.still) set_mode(configuration_->at(1), *plan.still);
+        if (configuration_->validate() == libcamera::CameraConfiguration::Invalid ||
+            camera_->configure(configuration_.get()) != 0) {
+            configuration_.reset();
+            return failure("the camera refuses the size that it offered");
+        }
+        return {};
+    }
+
+    [[nodiscard]] Result<void> prepare_buffers() {
+        for (const auto& stream : *configuration_) {
+            if (allocator_.allocate(stream.stream()) < 0)
+                return failure("there is no memory for the camera's frames");
+            for (const auto& buffer : allocator_.buffers(stream.stream()))
+                if (auto done = map(*buffer); !done) return done;
+        }
+        const auto& previews = allocator_.buffers(configuration_->at(0).stream());
+        for (std::size_t i = 0; i < previews.size(); ++i) {
+            auto request = camera_->createRequest(i);
+            if (!request) return failure("the camera takes no requests");
+            requests_.push_back(std::move(request));
+        }
+        return {};
+    }
+
+    [[nodiscard]] Result<void> map(const libcamera::FrameBuffer& buffer) {
+        for (const auto& plane : buffer.planes()) {
+            Mapping mapping;
+            mapping.size_bytes = std::size_t{plane.offset} + plane.length;
+            void* start =
+                mmap(nullptr, mapping.size_bytes, PROT_READ, MAP_SHARED, plane.fd.get(), 0);
+            if (start == MAP_FAILED) return failure("the camera's frames cannot be read");
+            mapping.start = static_cast<std::uint8_t*>(start);
+            mapping.bytes = mapping.start + plane.offset;
+            mappings_[&buffer].push_back(mapping);
+        }
+        return {};
+    }
+
+    [[nodiscard]] TakenFrame copy_of(const libcamera::Request& request) const {
+        const bool is_still = request.buffers().size() > 1;
+        const libcamera::StreamConfiguration& wanted = configuration_->at(is_still ? 1 : 0);
+        const libcamera::FrameBuffer& buffer = *request.buffers().at(wanted.stream());
+        TakenFrame taken;
+        taken.is_still = is_still;
+        taken.frame = {format_of(wanted.pixelFormat),
+                       {static_cast<int>(wanted.size.width), static_cast<int>(wanted.size.height)},
+                       wanted.stride,
+                       {}};
+        if (buffer.metadata().status != libcamera::FrameMetadata::FrameSuccess) return taken;
+        const auto& planes = mappings_.at(&buffer);
+        for (std::size_t i = 0; i < planes.size(); ++i) {
+            const std::size_t used = std::min<std::size_t>(buffer.metadata().planes()[i].bytesused,
+                                                           planes[i].size_bytes);
+            taken.frame.bytes.insert(taken.frame.bytes.end(), planes[i].bytes,
+                                     planes[i].bytes + used);
+        }
+        return taken;
+    }
+
+    /// libcamera calls this on its own thread.
+    void has_completed(libcamera::Request* request) {
+        if (request->status() != libcamera::Request::RequestComplete) return;
+        const std::lock_guard lock(mutex_);
+        completed_.push_back(request);
+    }
+
+    /// The request takes the buffer of its number. A still takes the first of its stream, and no
+    /// second one is requested before it came.
+    void queue(libcamera::Request& request) {
+        request.reuse();
+        const auto* preview = configuration_->at(0).stream();
+        const auto& buffers = allocator_.buffers(configuration_->at(0).stream());
+        request.addBuffer(preview, buffers[request.cookie()].get());
+        if (is_still_wanted_ && configuration_->size() > 1) {
+            auto* still = configuration_->at(1).stream();
+            request.addBuffer(still, allocator_.buffers(still).front().get());
+            is_still_wanted_ = false;
+        }
+        request.controls().merge(orders_);
+        orders_.clear();
+        camera_->queueRequest(&request);
+    }
 
     std::shared_ptr<libcamera::Camera> camera_;
     std::unique_ptr<libcamera::CameraConfiguration> configuration_;
@@ -166,159 +305,6 @@ class LibcameraPort::Stream {
     std::mutex mutex_;
     std::vector<libcamera::Request*> completed_;  // under the mutex, oldest first
 };
-
-LibcameraPort::Stream::Stream(std::shared_ptr<libcamera::Camera> camera)
-    : camera_(std::move(camera)), allocator_(camera_), orders_(controls::controls) {}
-
-LibcameraPort::Stream::~Stream() {
-    // After this, no thread of libcamera is in has_completed().
-    if (is_started_) camera_->stop();
-    camera_->requestCompleted.disconnect(this);
-    requests_.clear();
-    for (const auto& [buffer, planes] : mappings_)
-        for (const Mapping& plane : planes) munmap(plane.start, plane.size_bytes);
-    if (configuration_)
-        for (const auto& stream : *configuration_) allocator_.free(stream.stream());
-}
-
-Result<std::unique_ptr<LibcameraPort::Stream>> LibcameraPort::Stream::start(
-    std::shared_ptr<libcamera::Camera> camera, const StreamPlan& plan,
-    const std::vector<LoopOrder>& orders) {
-    std::unique_ptr<Stream> stream(new Stream(std::move(camera)));
-    if (auto done = stream->configure(plan); !done) return tl::unexpected(done.error());
-    if (auto done = stream->prepare_buffers(); !done) return tl::unexpected(done.error());
-    stream->camera_->requestCompleted.connect(stream.get(), &LibcameraPort::Stream::has_completed);
-    if (stream->camera_->start() != 0) return failure("the camera does not start");
-    stream->is_started_ = true;
-    for (const LoopOrder order : orders) stream->order(order);
-    for (const auto& request : stream->requests_) stream->queue(*request);
-    return stream;
-}
-
-Result<void> LibcameraPort::Stream::configure(const StreamPlan& plan) {
-    std::vector<StreamRole> roles{StreamRole::Viewfinder};
-    if (plan.still) roles.push_back(StreamRole::StillCapture);
-    configuration_ = camera_->generateConfiguration(roles);
-    if (!configuration_ || configuration_->size() != roles.size())
-        return failure("the camera does not give the streams that it offered");
-    set_mode(configuration_->at(0), plan.preview);
-    if (plan.still) set_mode(configuration_->at(1), *plan.still);
-    if (configuration_->validate() == libcamera::CameraConfiguration::Invalid ||
-        camera_->configure(configuration_.get()) != 0) {
-        configuration_.reset();
-        return failure("the camera refuses the size that it offered");
-    }
-    return {};
-}
-
-Result<void> LibcameraPort::Stream::prepare_buffers() {
-    for (const auto& stream : *configuration_) {
-        if (allocator_.allocate(stream.stream()) < 0)
-            return failure("there is no memory for the camera's frames");
-        for (const auto& buffer : allocator_.buffers(stream.stream()))
-            if (auto done = map(*buffer); !done) return done;
-    }
-    const auto& previews = allocator_.buffers(configuration_->at(0).stream());
-    for (std::size_t i = 0; i < previews.size(); ++i) {
-        auto request = camera_->createRequest(i);
-        if (!request) return failure("the camera takes no requests");
-        requests_.push_back(std::move(request));
-    }
-    return {};
-}
-
-Result<void> LibcameraPort::Stream::map(const libcamera::FrameBuffer& buffer) {
-    for (const auto& plane : buffer.planes()) {
-        Mapping mapping;
-        mapping.size_bytes = std::size_t{plane.offset} + plane.length;
-        void* start = mmap(nullptr, mapping.size_bytes, PROT_READ, MAP_SHARED, plane.fd.get(), 0);
-        if (start == MAP_FAILED) return failure("the camera's frames cannot be read");
-        mapping.start = static_cast<std::uint8_t*>(start);
-        mapping.bytes = mapping.start + plane.offset;
-        mappings_[&buffer].push_back(mapping);
-    }
-    return {};
-}
-
-/// libcamera calls this on its own thread.
-void LibcameraPort::Stream::has_completed(libcamera::Request* request) {
-    if (request->status() != libcamera::Request::RequestComplete) return;
-    const std::lock_guard lock(mutex_);
-    completed_.push_back(request);
-}
-
-void LibcameraPort::Stream::order(LoopOrder order) {
-    switch (order) {
-        case LoopOrder::lock_exposure:
-            orders_.set(controls::AeEnable, false);
-            break;
-        case LoopOrder::free_exposure:
-            orders_.set(controls::AeEnable, true);
-            break;
-        case LoopOrder::focus_once:
-            orders_.set(controls::AfMode, std::int32_t{controls::AfModeAuto});
-            orders_.set(controls::AfTrigger, std::int32_t{controls::AfTriggerStart});
-            break;
-        case LoopOrder::focus_freely:
-            orders_.set(controls::AfMode, std::int32_t{controls::AfModeContinuous});
-            break;
-    }
-}
-
-/// The request takes the buffer of its number. A still takes the first of its stream, and no second
-/// one is requested before it came.
-void LibcameraPort::Stream::queue(libcamera::Request& request) {
-    request.reuse();
-    const auto* preview = configuration_->at(0).stream();
-    const auto& buffers = allocator_.buffers(configuration_->at(0).stream());
-    request.addBuffer(preview, buffers[request.cookie()].get());
-    if (is_still_wanted_ && configuration_->size() > 1) {
-        auto* still = configuration_->at(1).stream();
-        request.addBuffer(still, allocator_.buffers(still).front().get());
-        is_still_wanted_ = false;
-    }
-    request.controls().merge(orders_);
-    orders_.clear();
-    camera_->queueRequest(&request);
-}
-
-TakenFrame LibcameraPort::Stream::copy_of(const libcamera::Request& request) const {
-    const bool is_still = request.buffers().size() > 1;
-    const libcamera::StreamConfiguration& wanted = configuration_->at(is_still ? 1 : 0);
-    const libcamera::FrameBuffer& buffer = *request.buffers().at(wanted.stream());
-    TakenFrame taken;
-    taken.is_still = is_still;
-    taken.frame = {format_of(wanted.pixelFormat),
-                   {static_cast<int>(wanted.size.width), static_cast<int>(wanted.size.height)},
-                   wanted.stride,
-                   {}};
-    if (buffer.metadata().status != libcamera::FrameMetadata::FrameSuccess) return taken;
-    const auto& planes = mappings_.at(&buffer);
-    for (std::size_t i = 0; i < planes.size(); ++i) {
-        const std::size_t used =
-            std::min<std::size_t>(buffer.metadata().planes()[i].bytesused, planes[i].size_bytes);
-        taken.frame.bytes.insert(taken.frame.bytes.end(), planes[i].bytes, planes[i].bytes + used);
-    }
-    return taken;
-}
-
-/// Frames that nobody took in time go back unseen, but a still is never skipped.
-std::optional<TakenFrame> LibcameraPort::Stream::take() {
-    std::vector<libcamera::Request*> completed;
-    {
-        const std::lock_guard lock(mutex_);
-        completed.swap(completed_);
-    }
-    if (completed.empty()) return std::nullopt;
-    const auto still = std::find_if(completed.begin(), completed.end(), [](const auto* request) {
-        return request->buffers().size() > 1;
-    });
-    libcamera::Request& chosen = still == completed.end() ? *completed.back() : **still;
-    TakenFrame taken = copy_of(chosen);
-    taken.loops = loops_of(chosen.metadata());
-    for (libcamera::Request* request : completed) queue(*request);
-    return taken;
-}
 
 struct LibcameraPort::Cameras {
     Cameras() = default;

@@ -1,9 +1,9 @@
 // Finds the page in a camera's picture of a table, as a scanner would give it, or why there is
 // none.
 //
-//  picture -> page light at 0.12 MP -> candidates: bright regions, straight lines -> scored by
-//  edges along the sides, area, shape -> the best, refined at up to 1 MP by lines through the edges
-//  -> judged -> aspect, snapped -> rectified, <= 1 megapixel -> evenly_lit
+// picture -> page light at 0.12 MP -> candidates: bright regions, straight lines -> scored by
+// edges along the sides, area, shape -> the best, refined at up to 1 MP by lines through the edges
+// -> judged -> aspect, snapped -> rectified, <= 1 megapixel -> evenly_lit
 //
 // Threads: pure functions.
 #pragma once

@@ -1,9 +1,9 @@
 // Turns the lines of a picture into outlines that a hand can follow, at one of five details, and
 // finds words for them.
 //
-//  in the zoom -> breaks closed -> ranked, a frame last -> each, the most salient first: smoothed
-//  at the detail's scale, loops cut off, kept a gap away from what is there -> until the detail's
-//  strokes or length are used up -> TactileMap
+// in the zoom -> breaks closed -> ranked, a frame last -> each, the most salient first: smoothed
+// at the detail's scale, loops cut off, kept a gap away from what is there -> until the detail's
+// strokes or length are used up -> TactileMap
 //
 // Threads: pure functions.
 #pragma once
