@@ -5,7 +5,7 @@
 #pragma once
 
 #include "vision/camera/capture_sequence.h"
-#include "vision/camera/conversion.h"
+#include "vision/camera/frame.h"
 
 namespace touchline {
 

@@ -1,6 +1,5 @@
 #include "vision/camera/capture_sequence.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace touchline {
@@ -93,11 +92,15 @@ bool CaptureSequence::is_silent() const {
                          : now_s_ - stream_started_s_ > limits_.start_s;
 }
 
-void CaptureSequence::start_preview() {
-    order(CaptureAction::start_preview);
-    is_still_running_ = false;
+void CaptureSequence::start(CaptureAction stream) {
+    order(stream);
+    is_still_running_ = stream == CaptureAction::start_still;
     stream_started_s_ = now_s_;
     last_frame_s_.reset();
+}
+
+void CaptureSequence::start_preview() {
+    start(CaptureAction::start_preview);
     enter(State::starting);
 }
 
@@ -130,10 +133,7 @@ void CaptureSequence::begin_sharpening() {
     if (abilities_.has_two_streams) {
         order(CaptureAction::request_still);
     } else if (!is_still_running_) {
-        order(CaptureAction::start_still);
-        is_still_running_ = true;
-        stream_started_s_ = now_s_;
-        last_frame_s_.reset();
+        start(CaptureAction::start_still);
     }
 }
 

@@ -106,6 +106,7 @@ class CaptureSequence {
     void order(CaptureAction action) { actions_.push_back(action); }
 
     void lose(State next);
+    void start(CaptureAction stream);
     void start_preview();
     void begin_attempt();
     void settle(const CaptureInputs& in);

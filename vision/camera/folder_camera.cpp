@@ -1,6 +1,6 @@
 #include "vision/camera/folder_camera.h"
 
-#include "vision/camera/quality.h"
+#include "vision/camera/frame.h"
 
 #include <algorithm>
 #include <system_error>

@@ -10,8 +10,6 @@
 
 namespace touchline {
 
-class LibcameraStream;
-
 class LibcameraPort : public CameraPort {
   public:
     /// Fails if libcamera does not start. Having no camera is not a failure.
@@ -32,12 +30,13 @@ class LibcameraPort : public CameraPort {
 
   private:
     struct Cameras;
+    class Stream;
 
     explicit LibcameraPort(std::unique_ptr<Cameras> cameras);
 
     std::unique_ptr<Cameras> cameras_;
-    std::vector<LoopOrder> orders_;             // in force: a new stream gets them again
-    std::unique_ptr<LibcameraStream> running_;  // after cameras_: goes first
+    std::vector<LoopOrder> orders_;    // in force: a new stream gets them again
+    std::unique_ptr<Stream> running_;  // after cameras_: goes first
 };
 
 }  // namespace touchline

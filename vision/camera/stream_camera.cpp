@@ -1,19 +1,62 @@
 #include "vision/camera/stream_camera.h"
 
-#include "vision/camera/quality.h"
-#include "vision/camera/stream_choice.h"
+#include "vision/camera/frame.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
+#include <tuple>
 #include <utility>
 
 namespace touchline {
 namespace {
+
+const cv::Size least_preview(640, 480);
+
+std::int64_t pixels(const StreamMode& mode) {
+    return std::int64_t{mode.size.width} * mode.size.height;
+}
+
+/// In the order of PixelFormat: how much it costs to get pixels.
+constexpr std::array kCosts{2, 3, 1, 0};
+
+int cost(const StreamMode& mode) {
+    return kCosts[static_cast<std::size_t>(mode.format)];
+}
+
+bool is_enough(const StreamMode& mode) {
+    return mode.size.width >= least_preview.width && mode.size.height >= least_preview.height;
+}
+
+bool is_better_preview(const StreamMode& a, const StreamMode& b) {
+    if (is_enough(a) != is_enough(b)) return is_enough(a);
+    const std::int64_t sign = is_enough(a) ? 1 : -1;
+    return std::tuple(sign * pixels(a), cost(a)) < std::tuple(sign * pixels(b), cost(b));
+}
+
+bool is_better_still(const StreamMode& a, const StreamMode& b) {
+    return std::tuple(-pixels(a), cost(a)) < std::tuple(-pixels(b), cost(b));
+}
+
+template <class Better>
+std::optional<StreamMode> best(const std::vector<StreamMode>& modes, Better is_better) {
+    const auto found = std::min_element(modes.begin(), modes.end(), is_better);
+    return found == modes.end() ? std::nullopt : std::optional(*found);
+}
 
 /// Stills are judged at the size at which outlines are found: a blur that this size hides does no
 /// harm.
 constexpr std::int64_t judged_pixels = std::int64_t{1024} * 768;
 
 }  // namespace
+
+std::optional<StreamMode> preview_mode(const CameraAbilities& abilities) {
+    return best(abilities.modes, is_better_preview);
+}
+
+std::optional<StreamMode> still_mode(const CameraAbilities& abilities) {
+    return best(abilities.modes, is_better_still);
+}
 
 StreamCamera::StreamCamera(std::unique_ptr<CameraPort> port, const CaptureLimits& limits)
     : port_(std::move(port)), limits_(limits), sequence_(limits) {}

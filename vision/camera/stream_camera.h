@@ -1,12 +1,22 @@
-// A camera that streams, behind a port. Carries out the orders of the capture sequence.
+// A camera that streams, behind a port: chooses among the modes that it offers, and carries out the
+// orders of the capture sequence.
 // Threads: one caller.
 #pragma once
 
 #include "vision/camera/camera.h"
+#include "vision/camera/camera_port.h"
 
 #include <memory>
 
 namespace touchline {
+
+/// Returns the smallest mode that is at least 640 x 480, else the largest. Among modes of one size
+/// it prefers nv12 to yuyv, and yuyv to mjpeg, which costs decoding. Returns nothing if there is no
+/// mode. O(modes).
+[[nodiscard]] std::optional<StreamMode> preview_mode(const CameraAbilities& abilities);
+
+/// Returns the largest mode; among modes of one size, mjpeg comes last. O(modes).
+[[nodiscard]] std::optional<StreamMode> still_mode(const CameraAbilities& abilities);
 
 class StreamCamera : public Camera {
   public:

@@ -1,6 +1,6 @@
 #include "vision/contour/centring.h"
 
-#include "vision/contour/ends.h"
+#include "vision/contour/gradient.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,14 +40,10 @@ bool is_inside(const cv::Mat1f& darkness, const cv::Point2d& at) {
 std::optional<double> ink_ahead(const cv::Mat1f& darkness, const cv::Point2d& from,
                                 const cv::Point2d& way, double far_px) {
     double before = darkness_at(darkness, from);
-    if (before < 1.0) {
-        return std::nullopt;
-    }
+    if (before < 1.0) return std::nullopt;
     for (double d = kStep_px; d <= far_px; d += kStep_px) {
         const double here = darkness_at(darkness, from + d * way);
-        if (here < 1.0) {
-            return d - kStep_px * (1.0 - here) / (before - here);
-        }
+        if (here < 1.0) return d - kStep_px * (1.0 - here) / (before - here);
         before = here;
     }
     return std::nullopt;
@@ -66,9 +62,7 @@ class Centring {
     Chain run() {
         line_ = between_ends();
         if (!line_.is_closed) {
-            for (const bool at_back : {false, true}) {
-                place_end(at_back);
-            }
+            for (const bool at_back : {false, true}) place_end(at_back);
         }
         return std::move(line_);
     }
@@ -78,9 +72,7 @@ class Centring {
 
     /// Returns point `i`, counted on round a ring; none beyond an open end.
     const EdgePoint* point(int i) const {
-        if (line_.is_closed) {
-            i = (i % count() + count()) % count();
-        }
+        if (line_.is_closed) i = (i % count() + count()) % count();
         return i >= 0 && i < count() ? &line_.points[static_cast<std::size_t>(i)] : nullptr;
     }
 
@@ -105,9 +97,7 @@ class Centring {
             const EdgePoint* after =
                 point(i + span) != nullptr ? point(i + span) : point(count() - 1);
             const cv::Point2d along = after->at - before->at;
-            if (!(cv::norm(along) > 0.0) || is_near_fixed(i)) {
-                continue;
-            }
+            if (!(cv::norm(along) > 0.0) || is_near_fixed(i)) continue;
             const cv::Point2d normal = cv::Point2d(-along.y, along.x) / cv::norm(along);
             const double far_px = kWidest * line_.width_px + 1.0;
             const std::optional<double> one = ink_ahead(darkness_, point(i)->at, normal, far_px);
@@ -120,12 +110,7 @@ class Centring {
             widths_px.push_back(*one + *other);
         }
         line_.points = std::move(moved);
-        if (!widths_px.empty()) {
-            const auto middle =
-                widths_px.begin() + static_cast<std::ptrdiff_t>(widths_px.size() / 2);
-            std::ranges::nth_element(widths_px, middle);
-            line_.width_px = *middle;
-        }
+        if (!widths_px.empty()) line_.width_px = median_of(std::move(widths_px));
     }
 
     void smooth() {
@@ -147,16 +132,10 @@ class Centring {
 
     void place_end(bool at_back) {
         std::vector<EdgePoint>& points = line_.points;
-        if (at_back) {
-            std::ranges::reverse(points);
-        }
-        if (!points.front().is_fixed) {
-            move_end(points);
-        }
+        if (at_back) std::ranges::reverse(points);
+        if (!points.front().is_fixed) move_end(points);
         points.front().is_fixed = true;
-        if (at_back) {
-            std::ranges::reverse(points);
-        }
+        if (at_back) std::ranges::reverse(points);
     }
 
     /// The end is the first point.

@@ -1,8 +1,5 @@
 #include "vision/contour/corners.h"
 
-#include "vision/contour/ends.h"
-#include "vision/contour/sampling.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -40,17 +37,15 @@ struct Corner {
 };
 
 /// One run of even samples between two fixed points, or a ring without any.
-class Run {
+class EvenRun {
   public:
-    Run(const std::vector<EdgePoint>& points, bool is_ring, double blur_px)
+    EvenRun(const std::vector<EdgePoint>& points, bool is_ring, double blur_px)
         : is_ring_(is_ring), blur_px_(blur_px) {
         const double length = length_of({points, false});
         const int n = std::max(1, static_cast<int>(std::lround(length / kSample_px)));
         samples_ = evenly_spaced(points, n);
         step_px_ = length > 0.0 ? length / n : kSample_px;
-        if (is_ring) {
-            samples_.pop_back();
-        }
+        if (is_ring) samples_.pop_back();
     }
 
     /// Returns the samples, with sharp corners.
@@ -60,9 +55,7 @@ class Run {
         for (std::size_t i = 0; i < apexes.size(); ++i) {
             const std::optional<Corner> corner =
                 corner_at(apexes[i], room(apexes, i, -1), room(apexes, i, 1));
-            if (corner && accepts(corner->vertex, corner->turn)) {
-                corners.push_back(*corner);
-            }
+            if (corner && accepts(corner->vertex, corner->turn)) corners.push_back(*corner);
         }
         return replaced(corners);
     }
@@ -87,9 +80,7 @@ class Run {
     /// Returns the angle by which the chords over `reach` samples before and after i differ; 0 near
     /// an end.
     double turn_at(int i, int reach) const {
-        if (!has(i - reach) || !has(i + reach)) {
-            return 0.0;
-        }
+        if (!has(i - reach) || !has(i + reach)) return 0.0;
         const cv::Point2d in = sample(i).at - sample(i - reach).at;
         const cv::Point2d out = sample(i + reach).at - sample(i).at;
         return std::abs(std::atan2(in.cross(out), in.dot(out)));
@@ -99,12 +90,8 @@ class Run {
     std::vector<int> turning_points() const {
         const int reach = std::max(2, samples_in(2.5 * blur_px_ + 1.0));
         std::vector<double> turns(samples_.size(), 0.0);
-        if (count() < 4 * reach) {
-            return {};
-        }
-        for (int i = 0; i < count(); ++i) {
-            turns[static_cast<std::size_t>(i)] = turn_at(i, reach);
-        }
+        if (count() < 4 * reach) return {};
+        for (int i = 0; i < count(); ++i) turns[static_cast<std::size_t>(i)] = turn_at(i, reach);
         std::vector<int> apexes;
         for (int i = 0; i < count(); ++i) {
             const double turn = turns[static_cast<std::size_t>(i)];
@@ -116,9 +103,7 @@ class Run {
                     is_strongest = other < turn || (other == turn && i < j);
                 }
             }
-            if (is_strongest) {
-                apexes.push_back(i);
-            }
+            if (is_strongest) apexes.push_back(i);
         }
         return apexes;
     }
@@ -133,9 +118,7 @@ class Run {
             const int gap = side > 0 ? other - here : here - other;
             return gap > 0 ? gap : gap + count();
         }
-        if (side > 0) {
-            return (i + 1 < n ? apexes[i + 1] : count() - 1) - here;
-        }
+        if (side > 0) return (i + 1 < n ? apexes[i + 1] : count() - 1) - here;
         return here - (i > 0 ? apexes[i - 1] : 0);
     }
 
@@ -144,15 +127,11 @@ class Run {
     std::optional<FittedCourse> course(int apex, int side, int room, double skip_px) const {
         const int skip = std::min(samples_in(skip_px), (2 * room) / 5);
         const int last = std::min(skip + samples_in(kCourseSpan_px + blur_px_), room - skip);
-        if (last - skip < samples_in(kLeastCourse_px)) {
-            return std::nullopt;
-        }
+        if (last - skip < samples_in(kLeastCourse_px)) return std::nullopt;
         const int first = apex + (side > 0 ? skip : -last);
         const int n = last - skip + 1;
         cv::Point2d sum;
-        for (int i = 0; i < n; ++i) {
-            sum += sample(first + i).at;
-        }
+        for (int i = 0; i < n; ++i) sum += sample(first + i).at;
         FittedCourse fit{sum / static_cast<double>(n), {}, 0.0};
         double xx = 0.0;
         double yy = 0.0;
@@ -197,9 +176,7 @@ class Run {
             skip_px = bent_px(turn);
         }
         const std::optional<cv::Point2d> vertex = crossing(*in, *out);
-        if (turn < kLeastTurn || turn > kGreatestTurn || !vertex) {
-            return std::nullopt;
-        }
+        if (turn < kLeastTurn || turn > kGreatestTurn || !vertex) return std::nullopt;
         const Corner corner{apex - std::min(samples_in(skip_px), (2 * room_before) / 5),
                             apex + std::min(samples_in(skip_px), (2 * room_after) / 5), *vertex,
                             turn};
@@ -217,9 +194,7 @@ class Run {
         const double sine = in.direction.cross(out.direction);
         const double ahead_px = between.cross(out.direction) / sine;
         const double behind_px = between.cross(in.direction) / sine;
-        if (!(ahead_px > 0.0) || !(behind_px < 0.0)) {
-            return std::nullopt;
-        }
+        if (!(ahead_px > 0.0) || !(behind_px < 0.0)) return std::nullopt;
         return in.centre + ahead_px * in.direction;
     }
 
@@ -228,9 +203,7 @@ class Run {
         std::vector<char> is_cut(samples_.size(), 0);
         std::vector<const Corner*> vertex(samples_.size(), nullptr);
         for (const Corner& corner : corners) {
-            for (int i = corner.from; i <= corner.to; ++i) {
-                is_cut[index(i)] = 1;
-            }
+            for (int i = corner.from; i <= corner.to; ++i) is_cut[index(i)] = 1;
             vertex[index((corner.from + corner.to) / 2)] = &corner;
         }
         for (std::size_t i = 0; i < samples_.size(); ++i) {
@@ -257,15 +230,13 @@ class Run {
 }  // namespace
 
 Chain with_sharp_corners(const Chain& chain, double blur_px, const Accepts& accepts) {
-    if (chain.points.empty()) {
-        return chain;
-    }
+    if (chain.points.empty()) return chain;
     std::vector<EdgePoint> points = chain.points;
     if (chain.is_closed) {
         const auto fixed = std::ranges::find_if(points, &EdgePoint::is_fixed);
         if (fixed == points.end()) {
             points.push_back(points.front());
-            return {Run(points, true, blur_px).sharpened(accepts), true};
+            return {EvenRun(points, true, blur_px).sharpened(accepts), true};
         }
         std::ranges::rotate(points, fixed);
         points.push_back(points.front());
@@ -275,14 +246,12 @@ Chain with_sharp_corners(const Chain& chain, double blur_px, const Accepts& acce
     for (std::size_t i = 1; i < points.size(); ++i) {
         run.push_back(points[i]);
         if (points[i].is_fixed || i + 1 == points.size()) {
-            const std::vector<EdgePoint> part = Run(run, false, blur_px).sharpened(accepts);
+            const std::vector<EdgePoint> part = EvenRun(run, false, blur_px).sharpened(accepts);
             sharp.points.insert(sharp.points.end(), part.begin() + 1, part.end());
             run = {points[i]};
         }
     }
-    if (chain.is_closed) {
-        sharp.points.pop_back();
-    }
+    if (chain.is_closed) sharp.points.pop_back();
     return sharp;
 }
 

@@ -1,8 +1,12 @@
 #include "vision/contour/courses.h"
 
+#include "vision/contour/gradient.h"
+
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <numbers>
 
 namespace touchline {
 namespace {
@@ -15,14 +19,6 @@ constexpr double kLeastEnd_px = 3.0;
 constexpr double kStraightEnd_px = 0.7;  // rms about the fitted line
 constexpr double kOwnPart = 0.3;         // of an arm's depths: half the width of its stroke
 constexpr double kLongOverDepth = 6.0;   // shorter arms do not show it
-
-double quantile_of(std::vector<float> values, double part) {
-    if (values.empty()) return 1.0;
-    const auto at =
-        values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
-    std::ranges::nth_element(values, at);
-    return std::max(1.0, static_cast<double>(*at));
-}
 
 /// Fits by least squares through the points between from_px and from_px + span_px of arc length.
 std::pair<Ray, double> fitted(const Chain& arm, EndId end, double from_px, double span_px) {
@@ -55,20 +51,102 @@ std::pair<Ray, double> fitted(const Chain& arm, EndId end, double from_px, doubl
     return {{centre + (part.front() - centre).dot(direction) * direction, direction}, rms_px};
 }
 
+constexpr double kHairpinTurn = 145.0 * std::numbers::pi / 180.0;
+constexpr double kHairpinOverDepth = 2.0;
+constexpr double kLeastHairpin_px = 6.0;
+
+/// The points of an arm and the ink at them. In a ring the first comes after the last.
+class Way {
+  public:
+    Way(const Chain& arm, const cv::Mat1f& depth)
+        : points_(arm.points), is_closed_(arm.is_closed), depths_(depths_of(arm, depth)) {
+        const double stroke_px = stroke_depth_px(depths_);
+        limit_px_ = flowed_depth_px(stroke_px);
+        bent_ = static_cast<int>(std::ceil(stroke_px));
+        span_ = static_cast<int>(std::max(kLeastHairpin_px, kHairpinOverDepth * stroke_px));
+    }
+
+    /// Returns the middles of deep ink in which the arm turns back, in order.
+    [[nodiscard]] std::vector<std::size_t> hairpins() const {
+        std::vector<std::size_t> found;
+        const int n = count();
+        for (int i = is_closed_ ? first_shallow() : 0, last = i + n; i < last; ++i) {
+            if (!is_deep(i)) continue;
+            int end = i;
+            while (end + 1 < last && is_deep(end + 1)) ++end;
+            if (turns_back(i, end)) found.push_back(index((i + end) / 2));
+            i = end;
+        }
+        std::ranges::sort(found);
+        return found;
+    }
+
+  private:
+    [[nodiscard]] int count() const { return static_cast<int>(points_.size()); }
+
+    [[nodiscard]] std::size_t index(int i) const { return static_cast<std::size_t>(i % count()); }
+
+    [[nodiscard]] bool is_deep(int i) const {
+        return static_cast<double>(depths_[index(i)]) > limit_px_;
+    }
+
+    [[nodiscard]] int first_shallow() const {
+        int i = 0;
+        while (i + 1 < count() && is_deep(i)) ++i;
+        return i;
+    }
+
+    [[nodiscard]] bool turns_back(int from, int to) const {
+        from -= bent_;
+        to += bent_;
+        const int before = from - span_;
+        const int after = to + span_;
+        const bool has_both =
+            is_closed_ ? after - before < count() : before >= 0 && after < count();
+        if (!has_both) return false;
+        const auto at = [&](int i) { return points_[index(i + count())].at; };
+        return angle_between(at(from) - at(before), at(after) - at(to)) > kHairpinTurn;
+    }
+
+    const std::vector<EdgePoint>& points_;
+    bool is_closed_;
+    std::vector<float> depths_;
+    double limit_px_ = 0.0;
+    int bent_ = 0;  // points beside the deep ink that the tip still bends
+    int span_ = 0;  // points after these that show where the stroke comes from or goes to
+};
+
+/// Cuts an arm into parts, from place to place; in a ring the last part ends where the first
+/// begins.
+std::vector<Chain> parted(Chain arm, std::vector<std::size_t> places) {
+    if (arm.is_closed) {
+        const std::size_t first = places.front();
+        begin_at(first, arm.points);
+        arm.points.push_back(arm.points.front());
+        arm.is_closed = false;
+        for (std::size_t& place : places) place -= first;
+    } else {
+        places.insert(places.begin(), 0);
+    }
+    places.push_back(arm.points.size() - 1);
+    std::vector<Chain> parts;
+    for (std::size_t i = 1; i < places.size(); ++i) {
+        parts.push_back({part_of(arm.points, places[i - 1], places[i] + 1), arm.is_closed,
+                         arm.width_px, arm.of});
+    }
+    return parts;
+}
+
 }  // namespace
 
 std::vector<float> depths_of(const Chain& arm, const cv::Mat1f& depth) {
     std::vector<float> depths;
-    for (const EdgePoint& point : arm.points) {
-        const cv::Point at(std::clamp(cvRound(point.at.x), 0, depth.cols - 1),
-                           std::clamp(cvRound(point.at.y), 0, depth.rows - 1));
-        depths.push_back(depth(at));
-    }
+    for (const EdgePoint& p : arm.points) depths.push_back(depth(pixel_at(p.at, depth.size())));
     return depths;
 }
 
 double stroke_depth_px(const std::vector<float>& depths) {
-    return quantile_of(depths, kOwnPart);
+    return depths.empty() ? 1.0 : std::max(1.0, static_cast<double>(quantile(depths, kOwnPart)));
 }
 
 double flowed_depth_px(double stroke_depth_px) {
@@ -117,6 +195,33 @@ std::optional<Course> Courses::course_at(EndId end) const {
         span_px *= 0.6;
     }
     return std::nullopt;
+}
+
+Skeleton with_hairpins_parted(const Skeleton& skeleton, const cv::Mat1f& depth) {
+    Skeleton made;
+    std::vector<EndId> place;  // for each end, among the new ones
+    for (const Chain& arm : skeleton.arms) {
+        const std::size_t first = made.arms.size();
+        const std::vector<std::size_t> places = Way(arm, depth).hairpins();
+        if (places.empty()) {
+            made.arms.push_back(arm);
+        } else {
+            std::ranges::move(parted(arm, places), std::back_inserter(made.arms));
+        }
+        const std::size_t last = made.arms.size() - 1;
+        for (std::size_t part = first; part < last; ++part) {
+            made.nodes.push_back({back_of(part), front_of(part + 1)});
+        }
+        if (arm.is_closed && !places.empty())
+            made.nodes.push_back({back_of(last), front_of(first)});
+        place.push_back(front_of(first));
+        place.push_back(back_of(last));
+    }
+    for (std::vector<EndId> node : skeleton.nodes) {
+        for (EndId& end : node) end = place[end];
+        made.nodes.push_back(std::move(node));
+    }
+    return made;
 }
 
 }  // namespace touchline

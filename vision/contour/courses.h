@@ -1,12 +1,12 @@
-// The directions of strokes before they come to where they meet.
-// Threads: values.
+// The directions of strokes before they come to where they meet; tips that thinning has turned into
+// bends.
+// Threads: values and pure functions.
 #pragma once
 
-#include "vision/contour/ends.h"
+#include "vision/contour/chain.h"
 #include "vision/contour/skeleton.h"
 
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace touchline {
@@ -50,5 +50,11 @@ class Courses {
     std::vector<double> own_depth_px_;
     std::vector<std::optional<Course>> courses_;
 };
+
+/// If the ink of an arm is deeper than its stroke, and the arm turns back there by more than 145
+/// degrees, two strokes have flowed together in a tip whose own arm the thinning has removed. Then
+/// the arm is split in the middle of that ink, and the two ends make a node. depth: as for
+/// skeleton_of(). O(points of the arms).
+[[nodiscard]] Skeleton with_hairpins_parted(const Skeleton& skeleton, const cv::Mat1f& depth);
 
 }  // namespace touchline

@@ -1,10 +1,9 @@
 #include "vision/contour/dashes.h"
 
-#include "vision/contour/ends.h"
+#include "vision/contour/gradient.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -21,7 +20,7 @@ constexpr double kMostBend = 60.0 * std::numbers::pi / 180.0;  // round the corn
 constexpr double kMostTurnAtDot = 90.0 * std::numbers::pi / 180.0;
 constexpr double kMostTurnAtTip = 150.0 * std::numbers::pi / 180.0;
 constexpr double kCorner = 40.0 * std::numbers::pi / 180.0;  // a turn of less is a curve's
-constexpr double kParallel = 0.03;  // the square of the sine between courses: they meet nowhere
+constexpr double kSameCourse = 0.03;  // the square of the sine between courses: they meet nowhere
 constexpr double kDashOverWidth = 1.4;
 constexpr std::size_t kLeastDashes = 3;
 constexpr std::size_t kLeastDots = 5;
@@ -30,11 +29,10 @@ constexpr double kMostAlike = 0.65;        // of the pieces: those at ends and c
 constexpr double kField = 1.6;             // of the second nearest dot: so near are many others
 constexpr std::size_t kMostAtTip = 4;      // so near
 constexpr std::size_t kMostPieces = 2000;  // more are grain, or a tone that is printed in dots
-constexpr std::size_t kNobody = std::numeric_limits<std::size_t>::max();
 
 /// A dash or a dot. Its two ends are EndIds of its place in the list of pieces; a dot's ends point
 /// nowhere.
-struct Piece {
+struct DashOrDot {
     std::size_t line = 0;
     std::vector<EdgePoint> way;  // the middle line of a dash; of a dot its middle
     double length_px = 0.0;      // of its ink
@@ -45,47 +43,37 @@ struct Piece {
 };
 
 /// Returns a ring of ink as a piece: a dot, or a dash too short to have been a stroke.
-std::optional<Piece> piece_of_ring(const Chain& line, std::size_t number, double mm_px) {
+std::optional<DashOrDot> piece_of_ring(const Chain& line, std::size_t number, double mm_px) {
     std::vector<cv::Point2f> points;
-    for (const EdgePoint& p : line.points) {
-        points.emplace_back(p.at);
-    }
+    for (const EdgePoint& p : line.points) points.emplace_back(p.at);
     const cv::RotatedRect box = cv::minAreaRect(points);
     const cv::Size2d size(box.size);
     const double long_px = std::max(size.width, size.height);
     const double short_px = std::min(size.width, size.height);
-    if (short_px > kWidestDot_mm * mm_px || long_px > kLongestDash_mm * mm_px) {
-        return std::nullopt;
-    }
+    if (short_px > kWidestDot_mm * mm_px || long_px > kLongestDash_mm * mm_px) return std::nullopt;
     const double strength = line.points.front().strength;
     const cv::Point2d middle(box.center);
     const bool is_dot = long_px < kDashOverWidth * short_px;
-    if (is_dot) {
-        return Piece{number, {{middle, strength, false}}, long_px, long_px, true};
-    }
+    if (is_dot) return DashOrDot{number, {{middle, strength, false}}, long_px, long_px, true};
     const double turned =
         (static_cast<double>(box.angle) + (size.width >= size.height ? 0.0 : 90.0)) *
         std::numbers::pi / 180.0;
     const cv::Point2d along(std::cos(turned), std::sin(turned));
     const cv::Point2d half = 0.5 * (long_px - short_px) * along;
-    return Piece{number,
-                 {{middle - half, strength, false}, {middle + half, strength, false}},
-                 long_px,
-                 short_px,
-                 false};
+    return DashOrDot{number,
+                     {{middle - half, strength, false}, {middle + half, strength, false}},
+                     long_px,
+                     short_px,
+                     false};
 }
 
-std::vector<Piece> pieces_of(const std::vector<Chain>& lines, double mm_px) {
-    std::vector<Piece> pieces;
+std::vector<DashOrDot> pieces_of(const std::vector<Chain>& lines, double mm_px) {
+    std::vector<DashOrDot> pieces;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const Chain& line = lines[i];
-        if (line.points.empty()) {
-            continue;
-        }
+        if (line.points.empty()) continue;
         if (line.is_closed) {
-            if (auto piece = piece_of_ring(line, i, mm_px)) {
-                pieces.push_back(std::move(*piece));
-            }
+            if (auto piece = piece_of_ring(line, i, mm_px)) pieces.push_back(std::move(*piece));
             continue;
         }
         const double length_px = length_of(line) + line.width_px;  // its ends lie within its ink
@@ -100,7 +88,7 @@ std::vector<Piece> pieces_of(const std::vector<Chain>& lines, double mm_px) {
 struct Gap {
     double length_px = 0.0;             // along the way
     std::optional<cv::Point2d> corner;  // where the courses of the two meet, off the straight way
-    std::size_t dash = kNobody;         // the piece that is bent round that corner
+    std::optional<std::size_t> dash;    // the piece that is bent round that corner
 };
 
 struct Link {
@@ -122,10 +110,8 @@ class Joiner {
         for (const bool from_ends : {true, false}) {
             for (std::size_t number = 0; number < pieces_.size(); ++number) {
                 const bool is_end =
-                    to_[front_of(number)] == kNobody || to_[back_of(number)] == kNobody;
-                if (is_walked[number] || is_end != from_ends) {
-                    continue;
-                }
+                    to_[front_of(number)] == kNoEnd || to_[back_of(number)] == kNoEnd;
+                if (is_walked[number] || is_end != from_ends) continue;
                 const std::vector<EndId> way = walked(number, is_walked);
                 if (is_broken_line(way)) {
                     made.push_back(line_through(way, !from_ends));
@@ -135,9 +121,7 @@ class Joiner {
         }
         std::vector<Chain> kept;
         for (std::size_t i = 0; i < lines_.size(); ++i) {
-            if (!is_gone[i]) {
-                kept.push_back(std::move(lines_[i]));
-            }
+            if (!is_gone[i]) kept.push_back(std::move(lines_[i]));
         }
         std::ranges::move(made, std::back_inserter(kept));
         return kept;
@@ -147,14 +131,12 @@ class Joiner {
     void mark_gone(const std::vector<EndId>& way, bool is_ring, std::vector<bool>& is_gone) const {
         for (std::size_t i = 0; i < way.size(); ++i) {
             is_gone[piece(way[i]).line] = true;
-            const std::size_t bent = i > 0 || is_ring ? gap_before(way, i).dash : kNobody;
-            if (bent != kNobody) {
-                is_gone[pieces_[bent].line] = true;
-            }
+            const auto bent = i > 0 || is_ring ? gap_before(way, i).dash : std::nullopt;
+            if (bent) is_gone[pieces_[*bent].line] = true;
         }
     }
 
-    [[nodiscard]] const Piece& piece(EndId end) const { return pieces_[chain_of(end)]; }
+    [[nodiscard]] const DashOrDot& piece(EndId end) const { return pieces_[chain_of(end)]; }
 
     [[nodiscard]] cv::Point2d place(EndId end) const {
         return is_back(end) ? piece(end).way.back().at : piece(end).way.front().at;
@@ -168,9 +150,7 @@ class Joiner {
             const EdgePoint& here = is_back(end) ? way[way.size() - 1 - i] : way[i];
             const EdgePoint& before = is_back(end) ? way[way.size() - i] : way[i - 1];
             straight_px += distance(here.at, before.at);
-            if (here.is_fixed) {
-                break;
-            }
+            if (here.is_fixed) break;
         }
         return ray_at(way, is_back(end), 0.0, std::min(straight_px, 0.5 * piece(end).length_px))
             .direction;
@@ -182,19 +162,13 @@ class Joiner {
     [[nodiscard]] double beyond_px(EndId end) const { return 0.5 * piece(end).width_px; }
 
     [[nodiscard]] Gap gap_between(EndId a, EndId b) const {
-        const Gap straight{distance(place(a), place(b)) - beyond_px(a) - beyond_px(b), {}};
-        if (piece(a).is_dot || piece(b).is_dot) {
-            return straight;
-        }
+        const Gap straight{distance(place(a), place(b)) - beyond_px(a) - beyond_px(b), {}, {}};
+        if (piece(a).is_dot || piece(b).is_dot) return straight;
         const Ray from_a{place(a), direction(a)};
         const Ray from_b{place(b), direction(b)};
-        if (angle_between(from_a.direction, -from_b.direction) < kCorner) {
-            return straight;
-        }
-        const auto corner = crossing_of({from_a, from_b}, kParallel);
-        if (!corner) {
-            return straight;
-        }
+        if (angle_between(from_a.direction, -from_b.direction) < kCorner) return straight;
+        const auto corner = crossing_of({from_a, from_b}, kSameCourse);
+        if (!corner) return straight;
         const double ahead_a = (*corner - from_a.from).dot(from_a.direction);
         const double ahead_b = (*corner - from_b.from).dot(from_b.direction);
         const double farthest_px = (kLongestDash_mm + 2.0 * kWidestGap_mm) * mm_px_;
@@ -203,10 +177,8 @@ class Joiner {
             return straight;
         }
         const Gap bent{ahead_a + ahead_b - beyond_px(a) - beyond_px(b), corner, dot_at(*corner)};
-        if (bent.dash == kNobody) {
-            return bent;
-        }
-        return {0.5 * (bent.length_px - pieces_[bent.dash].length_px), corner, bent.dash};
+        if (!bent.dash) return bent;
+        return {0.5 * (bent.length_px - pieces_[*bent.dash].length_px), corner, bent.dash};
     }
 
     /// Returns the gap before the i-th piece of a way; before the first, the one from the last
@@ -216,11 +188,12 @@ class Joiner {
     }
 
     /// Returns the dot at a corner: a dash bent round a sharp corner is as wide as it is long.
-    [[nodiscard]] std::size_t dot_at(const cv::Point2d& corner) const {
-        const auto at = std::ranges::find_if(pieces_, [&](const Piece& piece) {
+    [[nodiscard]] std::optional<std::size_t> dot_at(const cv::Point2d& corner) const {
+        const auto at = std::ranges::find_if(pieces_, [&](const DashOrDot& piece) {
             return piece.is_dot && distance(piece.middle(), corner) <= 0.75 * piece.length_px;
         });
-        return at == pieces_.end() ? kNobody : static_cast<std::size_t>(at - pieces_.begin());
+        if (at == pieces_.end()) return std::nullopt;
+        return static_cast<std::size_t>(at - pieces_.begin());
     }
 
     [[nodiscard]] double bend(EndId end, const cv::Point2d& way) const {
@@ -256,10 +229,8 @@ class Joiner {
     }
 
     void link() {
-        to_.assign(2 * pieces_.size(), kNobody);
-        if (pieces_.size() > kMostPieces) {
-            return;
-        }
+        to_.assign(2 * pieces_.size(), kNoEnd);
+        if (pieces_.size() > kMostPieces) return;
         find_fields();
         for (EndId end = 0; end < 2 * pieces_.size(); ++end) {
             directions_.push_back(straight_direction(end));
@@ -267,7 +238,7 @@ class Joiner {
         link_where(kWidestGap_mm * mm_px_, kMostTurnAtDot, [](EndId) { return true; });
         // Continues what was begun round a sharp tip of dots, or past a missing dash.
         link_where(usual_pitch_px(), kMostTurnAtTip,
-                   [&](EndId end) { return to_[end] != kNobody || to_[end ^ 1U] != kNobody; });
+                   [&](EndId end) { return to_[end] != kNoEnd || to_[end ^ 1U] != kNoEnd; });
     }
 
     template <class Counts>
@@ -275,20 +246,16 @@ class Joiner {
         std::vector<Link> links;
         std::vector<EndId> ends;
         for (EndId end = 0; end < 2 * pieces_.size(); ++end) {
-            if (counts(end)) {
-                ends.push_back(end);
-            }
+            if (counts(end)) ends.push_back(end);
         }
         for (auto a = ends.begin(); a != ends.end(); ++a) {
-            for (auto b = a + 1; b != ends.end(); ++b) {
-                consider(*a, *b, widest_gap_px, links);
-            }
+            for (auto b = a + 1; b != ends.end(); ++b) consider(*a, *b, widest_gap_px, links);
         }
         std::ranges::stable_sort(links, {}, &Link::cost);
         for (const Link& link : links) {
             const EndId a = free_end(link.a);
             const EndId b = free_end(link.b);
-            const bool is_taken = to_[a] != kNobody || to_[b] != kNobody;
+            const bool is_taken = to_[a] != kNoEnd || to_[b] != kNoEnd;
             if (!is_taken && leads_on(a, b, most_turn) && leads_on(b, a, most_turn) &&
                 !are_linked(a, b)) {
                 to_[a] = b;
@@ -302,30 +269,26 @@ class Joiner {
     [[nodiscard]] double usual_pitch_px() const {
         std::vector<double> pitches;
         for (EndId end = 0; end < to_.size(); ++end) {
-            if (to_[end] != kNobody && end < to_[end]) {
+            if (to_[end] != kNoEnd && end < to_[end]) {
                 pitches.push_back(2.0 * gap_between(end, to_[end]).length_px +
                                   piece(end).length_px);
             }
         }
         const double widest_px = kWidestGap_mm * mm_px_;
-        if (pitches.empty()) {
-            return widest_px;
-        }
-        const auto middle = pitches.begin() + static_cast<std::ptrdiff_t>(pitches.size() / 2);
-        std::ranges::nth_element(pitches, middle);
-        return std::max(widest_px, *middle);
+        if (pitches.empty()) return widest_px;
+        return std::max(widest_px, median_of(std::move(pitches)));
     }
 
     /// Short dashes may look like dots; then they are as long as those that do not.
-    [[nodiscard]] static bool are_of_a_kind(const Piece& one, const Piece& other) {
+    [[nodiscard]] static bool are_of_a_kind(const DashOrDot& one, const DashOrDot& other) {
         constexpr double kAsLong = 0.2;
         return one.is_dot == other.is_dot || std::abs(one.length_px - other.length_px) <=
                                                  kAsLong * std::max(one.length_px, other.length_px);
     }
 
     void consider(EndId a, EndId b, double widest_gap_px, std::vector<Link>& links) const {
-        const Piece& one = piece(a);
-        const Piece& other = piece(b);
+        const DashOrDot& one = piece(a);
+        const DashOrDot& other = piece(b);
         const bool is_second_of_a_dot = (one.is_dot && is_back(a)) || (other.is_dot && is_back(b));
         if (&one == &other || is_second_of_a_dot || !are_of_a_kind(one, other) ||
             is_in_field_[chain_of(a)] || is_in_field_[chain_of(b)] ||
@@ -333,9 +296,7 @@ class Joiner {
             return;
         }
         const Gap gap = gap_between(a, b);
-        if (gap.length_px > widest_gap_px) {
-            return;
-        }
+        if (gap.length_px > widest_gap_px) return;
         const cv::Point2d way = place(b) - place(a);
         const double bend_a = bend(a, way);
         const double bend_b = bend(b, -way);
@@ -346,7 +307,7 @@ class Joiner {
 
     /// Returns a dot's end that is not taken yet.
     [[nodiscard]] EndId free_end(EndId end) const {
-        return piece(end).is_dot && to_[end] != kNobody ? end ^ 1U : end;
+        return piece(end).is_dot && to_[end] != kNoEnd ? end ^ 1U : end;
     }
 
     [[nodiscard]] bool are_linked(EndId a, EndId b) const {
@@ -355,9 +316,7 @@ class Joiner {
 
     /// Past a dot the way goes on, and does not turn back.
     [[nodiscard]] bool leads_on(EndId from, EndId to, double most_turn) const {
-        if (!piece(from).is_dot || to_[from ^ 1U] == kNobody) {
-            return true;
-        }
+        if (!piece(from).is_dot || to_[from ^ 1U] == kNoEnd) return true;
         const cv::Point2d before = place(from) - place(to_[from ^ 1U]);
         return angle_between(before, place(to) - place(from)) < most_turn;
     }
@@ -365,8 +324,8 @@ class Joiner {
     /// Returns the ends through which the pieces are entered, from an end, or round.
     [[nodiscard]] std::vector<EndId> walked(std::size_t piece, std::vector<bool>& is_walked) const {
         std::vector<EndId> way;
-        EndId in = to_[front_of(piece)] == kNobody ? front_of(piece) : back_of(piece);
-        while (in != kNobody && !is_walked[chain_of(in)]) {
+        EndId in = to_[front_of(piece)] == kNoEnd ? front_of(piece) : back_of(piece);
+        while (in != kNoEnd && !is_walked[chain_of(in)]) {
             is_walked[chain_of(in)] = true;
             way.push_back(in);
             in = to_[in ^ 1U];
@@ -374,13 +333,9 @@ class Joiner {
         return way;
     }
 
-    static bool are_alike(std::vector<double> values) {
-        if (values.empty()) {
-            return true;
-        }
-        const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-        std::ranges::nth_element(values, middle);
-        const double usual = *middle;
+    static bool are_alike(const std::vector<double>& values) {
+        if (values.empty()) return true;
+        const double usual = median_of(values);
         const auto like = std::ranges::count_if(values, [&](double value) {
             return std::abs(value - usual) <= kLike * std::abs(usual) + 1.0;
         });
@@ -393,18 +348,14 @@ class Joiner {
     }
 
     [[nodiscard]] bool is_broken_line(const std::vector<EndId>& way) const {
-        if (way.empty() || way.size() < (are_dots(way) ? kLeastDots : kLeastDashes)) {
-            return false;
-        }
+        if (way.empty() || way.size() < (are_dots(way) ? kLeastDots : kLeastDashes)) return false;
         std::vector<double> lengths;
         std::vector<double> gaps;
         for (std::size_t i = 0; i < way.size(); ++i) {
             lengths.push_back(piece(way[i]).length_px);
-            if (i > 0) {
-                gaps.push_back(gap_before(way, i).length_px);
-            }
+            if (i > 0) gaps.push_back(gap_before(way, i).length_px);
         }
-        return are_alike(std::move(lengths)) && are_alike(std::move(gaps));
+        return are_alike(lengths) && are_alike(gaps);
     }
 
     [[nodiscard]] Chain line_through(const std::vector<EndId>& way, bool is_ring) const {
@@ -412,17 +363,13 @@ class Joiner {
         line.is_closed = is_ring;
         line.of = are_dots(way) ? LineOf::dotted : LineOf::dashed;
         for (std::size_t i = 0; i < way.size(); ++i) {
-            const Piece& part = piece(way[i]);
+            const DashOrDot& part = piece(way[i]);
             line.width_px = std::max(line.width_px, part.width_px);
             std::vector<EdgePoint> points = part.way;
-            if (is_back(way[i])) {
-                std::ranges::reverse(points);
-            }
+            if (is_back(way[i])) std::ranges::reverse(points);
             points.front().is_fixed = false;  // no longer an end
             points.back().is_fixed = false;
-            if (is_ring || i > 0) {
-                add_corner(gap_before(way, i), line);
-            }
+            if (is_ring || i > 0) add_corner(gap_before(way, i), line);
             std::ranges::move(points, std::back_inserter(line.points));
         }
         if (!is_ring) {
@@ -441,7 +388,7 @@ class Joiner {
 
     std::vector<Chain> lines_;
     double mm_px_;
-    std::vector<Piece> pieces_;
+    std::vector<DashOrDot> pieces_;
     std::vector<bool> is_in_field_;
     std::vector<cv::Point2d> directions_;  // of each end
     std::vector<EndId> to_;                // of each end

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace touchline {
@@ -75,9 +76,7 @@ class LineTracer {
         const float strength_a = field_.strength(a);
         const float strength_b = field_.strength(b);
         const auto low = static_cast<float>(limits_.low);
-        if (!(strength_a >= low) && !(strength_b >= low)) {
-            return kNone;
-        }
+        if (!(strength_a >= low) && !(strength_b >= low)) return kNone;
         const Profile at_a = profile(a.x, a.y);
         const Profile at_b = profile(b.x, b.y);
         const float sign = at_a.normal.dot(at_b.normal) < 0.0F ? -1.0F : 1.0F;
@@ -89,9 +88,7 @@ class LineTracer {
         const float t = change != 0.0F ? at_a.slope / change : 0.5F;
         const float strength = strength_a + t * (strength_b - strength_a);
         const float curvature = at_a.curvature + t * (at_b.curvature - at_a.curvature);
-        if (!(strength >= low) || !(curvature < 0.0F)) {
-            return kNone;
-        }
+        if (!(strength >= low) || !(curvature < 0.0F)) return kNone;
         const cv::Point2d where = cv::Point2d(a) + static_cast<double>(t) * cv::Point2d(b - a);
         const cv::Vec2f to_light = !field_.has_light_side    ? cv::Vec2f(0.0F, 0.0F)
                                    : strength_a > strength_b ? at_a.normal
@@ -134,9 +131,7 @@ class LineTracer {
         std::array<int, 4> ids{};
         std::size_t count = 0;
         for (const int id : sides) {
-            if (id != kNone) {
-                ids[count++] = id;
-            }
+            if (id != kNone) ids[count++] = id;
         }
         while (count >= 2) {
             std::size_t best_i = 0;
@@ -196,10 +191,99 @@ class LineTracer {
     std::vector<Crossing> crossings_;
 };
 
+constexpr double kFinest_px = 1.0;  // below it, the pixel grid shows in the slopes
+constexpr double kPhoto_px = 2.5;   // best of 1, 1.4, 2, 2.5, 2.8, 4 on photos
+constexpr double kDrawing = 0.20;   // at most this part of the picture changes: a drawing
+constexpr double kPhoto = 0.40;     // at least this part: a photo
+constexpr double kRoundingGradient =
+    0.3;  // gradient that 8-bit rounding and compression leave, per pixel
+constexpr double kSignificance = 6.0;       // x gradient noise: 2e-8 of the pixels of pure noise
+constexpr double kMedianOverSigma = 1.177;  // of a Rayleigh distribution: the gradient of noise
+constexpr double kMostlyNoise = 2.5;  // measured over predicted gradient noise; photos 5 and more
+constexpr double kHighOverQuantile = 3.0;  // binds in drawings, which have only strong edges
+constexpr double kGrainOverQuantile = 2.0;
+constexpr double kHighOverStrongest = 0.45;  // F .613 on photos; .609 at 0.5, .606 at 0.6
+constexpr double kLowOverHigh = 0.4;
+
+/// Returns the share of the pixels whose lightness differs across them by more than noise and
+/// rounding explain. Unsmoothed, because close lines of a drawing leave flat pixels between them,
+/// and the texture of a photo does not.
+double changing_part(const LabPicture& lab, double noise) {
+    const double limit = std::max(2.0 * kRoundingGradient, 3.0 * noise / std::numbers::sqrt2);
+    const auto limit_squared = static_cast<float>(4.0 * limit * limit);
+    std::size_t changing = 0;
+    for (int y = 1; y + 1 < lab.rows; ++y) {
+        for (int x = 1; x + 1 < lab.cols; ++x) {
+            const float dx = lab(y, x + 1)[0] - lab(y, x - 1)[0];
+            const float dy = lab(y + 1, x)[0] - lab(y - 1, x)[0];
+            changing += dx * dx + dy * dy > limit_squared ? 1 : 0;
+        }
+    }
+    return static_cast<double>(changing) / static_cast<double>(lab.total());
+}
+
+double quantile_of(const GradientField& field, double fraction) {
+    return static_cast<double>(quantile(field.strength, fraction));
+}
+
+Hysteresis hysteresis(double high) {
+    return {kLowOverHigh * high, high};
+}
+
+constexpr std::size_t kReach = 28;  // points: 20 pixels at 1.4 crossings of the grid a pixel
+constexpr double kExtent_px = 30.0;
+
 }  // namespace
 
 std::vector<Chain> edge_lines(const GradientField& field, const Hysteresis& limits) {
     return LineTracer(field, limits).trace();
+}
+
+double smoothing_for(const LabPicture& lab, double noise) {
+    // The smallest sigma that brings the gradient's noise down to one grey level a pixel.
+    const double fine_px = std::clamp(kFinest_px * std::sqrt(gradient_noise(noise, kFinest_px)),
+                                      kFinest_px, kPhoto_px);
+    const double part = changing_part(lab, noise);
+    const double photo = std::clamp((part - kDrawing) / (kPhoto - kDrawing), 0.0, 1.0);
+    return fine_px + photo * (kPhoto_px - fine_px);
+}
+
+Hysteresis thresholds_for(const GradientField& field, double noise, double sigma_px) {
+    const double median = quantile_of(field, 0.5);
+    const double predicted = gradient_noise(noise, sigma_px);
+    const double measured = median / kMedianOverSigma;
+    // If most of the gradient is noise, the gradient itself measures it best.
+    const double floor =
+        kSignificance *
+        (measured < kMostlyNoise * predicted ? std::max(predicted, measured) : predicted);
+    const double crowd = std::min(kHighOverQuantile * quantile_of(field, 0.75),
+                                  kHighOverStrongest * quantile_of(field, 0.98));
+    return hysteresis(std::max({crowd, floor, 4.0 * kRoundingGradient}));
+}
+
+Hysteresis grain_thresholds(const GradientField& field) {
+    return hysteresis(
+        std::max(kGrainOverQuantile * quantile_of(field, 0.75), 4.0 * kRoundingGradient));
+}
+
+cv::Mat edge_strength(const std::vector<Chain>& lines, cv::Size size, double high) {
+    cv::Mat1b picture(size, uchar{0});
+    for (const Chain& line : lines) {
+        const std::size_t n = line.points.size();
+        const double extent = 1.0 - std::exp(-length_of(line) / kExtent_px);
+        std::vector<double> sum(n + 1, 0.0);
+        for (std::size_t i = 0; i < n; ++i) sum[i + 1] = sum[i] + line.points[i].strength;
+        for (std::size_t i = 0; i < n; ++i) {
+            const std::size_t from = i > kReach ? i - kReach : 0;
+            const std::size_t to = std::min(n, i + kReach + 1);
+            const double r = (sum[to] - sum[from]) / static_cast<double>(to - from) / high * extent;
+            const cv::Point at(line.points[i].at);  // on the frame: beside the last pixel
+            uchar& pixel =
+                picture(std::clamp(at.y, 0, size.height - 1), std::clamp(at.x, 0, size.width - 1));
+            pixel = std::max(pixel, cv::saturate_cast<uchar>(255.0 * r / (1.0 + r)));
+        }
+    }
+    return picture;
 }
 
 }  // namespace touchline

@@ -1,9 +1,8 @@
 #include "vision/contour/fading.h"
 
-#include "vision/contour/region_runs.h"
+#include "vision/contour/region_map.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <utility>
 
@@ -21,7 +20,6 @@ constexpr double kMostlyPlateau = 0.6;  // of its pixels; in a band of a gradien
 constexpr double kMostlySoft = 0.75;    // of a border
 constexpr double kWidestBlur_px = 8.0;  // a wider band between two plateaus is not a blurred step
 constexpr std::ptrdiff_t kMostRegions = 1500;  // more are grain: nothing but specks
-constexpr std::size_t kMostColours = 256;
 constexpr int kReach_px = 4;
 constexpr int kNearby_px = 9;
 constexpr int kLeastStretch_px = 30;
@@ -80,9 +78,7 @@ class Fading {
     cv::Mat1b join() {
         const auto regions = std::ranges::count_if(
             runs_, [&](const Run& run) { return &run == &runs_[run.region]; });
-        if (regions > kMostRegions) {
-            return cv::Mat1b(map_.size(), uchar{0});
-        }
+        if (regions > kMostRegions) return cv::Mat1b(map_.size(), uchar{0});
         find_plateaus();
         find_pairs();
         for (const Pair& pair : pairs_) {
@@ -144,14 +140,10 @@ class Fading {
     /// A border is soft if most of it nearby is, because single pixels show little.
     void ask_neighbours() {
         cv::Mat1f votes(map_.size(), 0.0F);
-        for (const Pair& pair : pairs_) {
-            votes(pair.at) += pair.is_soft ? 1.0F : -1.0F;
-        }
+        for (const Pair& pair : pairs_) votes(pair.at) += pair.is_soft ? 1.0F : -1.0F;
         cv::boxFilter(votes, votes, CV_32F, cv::Size(kNearby_px, kNearby_px), cv::Point(-1, -1),
                       false, cv::BORDER_CONSTANT);
-        for (Pair& pair : pairs_) {
-            pair.is_soft = votes(pair.at) > 0.0F;
-        }
+        for (Pair& pair : pairs_) pair.is_soft = votes(pair.at) > 0.0F;
     }
 
     /// Returns stretches that are still a border, except those of a blurred one between two even
@@ -209,9 +201,7 @@ class Fading {
     void join_soft_ones() {
         std::vector<std::pair<Contact, Regions>> soft;
         for (const auto& [regions, contact] : contacts_) {
-            if (contact.is_soft()) {
-                soft.emplace_back(contact, regions);
-            }
+            if (contact.is_soft()) soft.emplace_back(contact, regions);
         }
         std::ranges::stable_sort(soft, [](const auto& a, const auto& b) {
             return a.first.soft * b.first.pairs > b.first.soft * a.first.pairs;
@@ -219,14 +209,10 @@ class Fading {
         for (const auto& [contact, regions] : soft) {
             const std::size_t a = first_of(regions.first);
             const std::size_t b = first_of(regions.second);
-            if (a == b) {
-                continue;
-            }
+            if (a == b) continue;
             const Contact& whole = contacts_.at(both(a, b));
             const bool is_blurred_step = is_plateau_[a] && is_plateau_[b] && whole.is_step();
-            if (whole.is_soft() && !is_blurred_step) {
-                take_in(a, b);
-            }
+            if (whole.is_soft() && !is_blurred_step) take_in(a, b);
         }
     }
 
@@ -256,9 +242,7 @@ class Fading {
         std::vector<std::pair<std::size_t, Contact>> others;
         std::erase_if(contacts_, [&](const auto& entry) {
             const auto& [regions, contact] = entry;
-            if (regions.first != part && regions.second != part) {
-                return false;
-            }
+            if (regions.first != part && regions.second != part) return false;
             others.emplace_back(regions.first == part ? regions.second : regions.first, contact);
             return true;
         });
@@ -287,9 +271,7 @@ class Fading {
         std::map<std::size_t, uchar> colour_of;
         for (const auto& [part, whole] : part_of_) {
             const std::size_t region = first_of(whole);
-            if (colour_of.contains(region) || palette_.size() >= kMostColours) {
-                continue;
-            }
+            if (colour_of.contains(region) || palette_.size() >= kMostColours) continue;
             if (region == ground) {
                 colour_of[region] = commonest_colour(region);
                 continue;

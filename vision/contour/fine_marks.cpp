@@ -1,7 +1,8 @@
 #include "vision/contour/fine_marks.h"
 
 #include "vision/contour/ink_parts.h"
-#include "vision/prepare/ink.h"
+#include "vision/contour/region_map.h"
+#include "vision/prepare/paper.h"
 
 #include <algorithm>
 #include <array>
@@ -14,7 +15,7 @@ namespace {
 
 constexpr int kAround_px = 9;          // where a mark's own darkest point is looked for
 constexpr double kOfItsDarkest = 0.4;  // half is lost if a hair lies between two pixels
-constexpr int kBeside_px = 3;          // from a border: mixtures of both colours
+constexpr int kMixed_px = 3;           // from a border: mixtures of both colours
 constexpr double kMostUneven = 0.2;    // of an area's pixels; with more it is not a flat colour
 constexpr int kJustOutside_px = 2;
 constexpr double kFadedOut = 0.4;     // of the contrast within: this little just outside of a mark
@@ -47,8 +48,8 @@ cv::Mat1b near_borders(const cv::Mat1b& map, int within_px) {
 
 /// Returns the pixels of areas that have a single colour, except for a few pixels.
 cv::Mat1b on_even_areas(const cv::Mat1b& map, const cv::Mat1b& differs) {
-    std::array<int, 256> all{};
-    std::array<int, 256> uneven{};
+    std::array<int, kMostColours> all{};
+    std::array<int, kMostColours> uneven{};
     for (int y = 0; y < map.rows; ++y)
         for (int x = 0; x < map.cols; ++x) {
             ++all[map(y, x)];
@@ -60,16 +61,6 @@ cv::Mat1b on_even_areas(const cv::Mat1b& map, const cv::Mat1b& differs) {
                                                                                 : uchar{0};
     });
     return even;
-}
-
-double strongest_of(const Areas& areas) {
-    std::array<int, 256> pixels{};
-    for (const uchar colour : areas.map) ++pixels[colour];
-    const auto ground = static_cast<std::size_t>(std::ranges::max_element(pixels) - pixels.begin());
-    double strongest = 0.0;
-    for (const cv::Vec3f& colour : areas.palette)
-        strongest = std::max(strongest, cv::norm(colour - areas.palette[ground]));
-    return strongest;
 }
 
 /// The measurements of a piece of ink.
@@ -167,9 +158,10 @@ class Finder {
 FineMarks fine_marks(const LabPicture& lab, const Areas& areas, const cv::Mat1b& strokes,
                      double noise, double smoothing_px, double greatest_width_px) {
     // A picture that no camera saw has no dirt.
-    const double floor = least_contrast(noise, noise < kNoGrain ? 0.0 : strongest_of(areas));
+    const double floor = least_contrast(
+        noise, noise < kNoGrain ? 0.0 : strongest_contrast(areas.palette, ground_of(areas.map)));
     cv::Mat1f contrast = contrast_to(lab, areas);
-    const cv::Mat1b mixed = near_borders(areas.map, kBeside_px + cvCeil(2.0 * smoothing_px));
+    const cv::Mat1b mixed = near_borders(areas.map, kMixed_px + cvCeil(2.0 * smoothing_px));
     contrast.setTo(0.0, mixed);
     cv::Mat1f around;
     cv::dilate(contrast, around, cv::Mat::ones(kAround_px, kAround_px, CV_8U));

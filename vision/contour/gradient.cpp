@@ -1,10 +1,9 @@
 #include "vision/contour/gradient.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <vector>
+#include <utility>
 
 #include <opencv2/imgproc.hpp>
 
@@ -63,9 +62,7 @@ class LabTables {
 
 cv::Mat reduced(const cv::Mat& picture, double max_pixels) {
     const double pixels = static_cast<double>(picture.cols) * picture.rows;
-    if (pixels <= max_pixels) {
-        return picture;
-    }
+    if (pixels <= max_pixels) return picture;
     const double scale = std::sqrt(max_pixels / pixels);
     const cv::Size size(std::max(1, static_cast<int>(picture.cols * scale)),
                         std::max(1, static_cast<int>(picture.rows * scale)));
@@ -91,9 +88,7 @@ LabPicture to_lab(const cv::Mat& bgr_or_grey, float colour_weight) {
 }
 
 double noise_of(const LabPicture& lab) {
-    if (lab.cols < 3 || lab.rows < 3) {
-        return 0.0;
-    }
+    if (lab.cols < 3 || lab.rows < 3) return 0.0;
     const cv::Matx33f kernel(1, -2, 1, -2, 4, -2, 1, -2, 1);
     cv::Mat3f second;
     cv::filter2D(lab, second, CV_32F, kernel);
@@ -116,9 +111,7 @@ double gradient_noise(double noise, double sigma_px) {
 cv::Vec2f major_axis(float xx, float yy, float xy) {
     const float difference = xx - yy;
     const float root = std::sqrt(difference * difference + 4.0F * xy * xy);
-    if (!(root > 0.0F)) {
-        return {1.0F, 0.0F};
-    }
+    if (!(root > 0.0F)) return {1.0F, 0.0F};
     const float cos_twice = difference / root;
     const float cosine = std::sqrt(std::max(0.0F, 0.5F * (1.0F + cos_twice)));
     const float sine = std::sqrt(std::max(0.0F, 0.5F * (1.0F - cos_twice)));
@@ -164,12 +157,7 @@ float quantile(const cv::Mat1f& values, double fraction) {
             next += step;
         }
     }
-    if (sample.empty()) {
-        return 0.0F;
-    }
-    const auto at = static_cast<std::ptrdiff_t>(fraction * static_cast<double>(sample.size() - 1));
-    std::nth_element(sample.begin(), sample.begin() + at, sample.end());
-    return sample[static_cast<std::size_t>(at)];
+    return sample.empty() ? 0.0F : quantile(std::move(sample), fraction);
 }
 
 }  // namespace touchline

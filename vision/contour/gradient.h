@@ -3,6 +3,10 @@
 // Threads: pure functions. All are O(pixels).
 #pragma once
 
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
 #include <opencv2/core.hpp>
 
 namespace touchline {
@@ -49,8 +53,24 @@ struct GradientField {
 /// Applies Gaussian smoothing, then the structure tensor of the three channels (Di Zenzo 1986).
 [[nodiscard]] GradientField colour_gradient(const LabPicture& lab, double sigma_px);
 
-/// Returns the value below which this fraction of the elements lies (0..1), from a sample of at
-/// most about 250 000 elements.
+/// Returns the value below which this fraction (0..1) of some values lies, of which there is one.
+/// O(values).
+template <class T>
+[[nodiscard]] T quantile(std::vector<T> values, double fraction) {
+    const auto at = static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
+    std::ranges::nth_element(values, values.begin() + at);
+    return *(values.begin() + at);
+}
+
+/// Returns the middle one of some values, of which there is one; the upper of two. O(values).
+template <class T>
+[[nodiscard]] T median_of(std::vector<T> values) {
+    const auto middle = values.begin() + std::ssize(values) / 2;
+    std::ranges::nth_element(values, middle);
+    return *middle;
+}
+
+/// The same fraction of a picture's elements, from a sample of at most about 250 000; 0 of none.
 [[nodiscard]] float quantile(const cv::Mat1f& values, double fraction);
 
 }  // namespace touchline

@@ -54,9 +54,7 @@ class Counts {
 
     [[nodiscard]] double sharpness() const {
         double sum = 0.0;
-        for (const int n : counts_) {
-            sum += static_cast<double>(n) * n;
-        }
+        for (const int n : counts_) sum += static_cast<double>(n) * n;
         return sum;
     }
 
@@ -144,9 +142,7 @@ cv::Mat1b on_even_lines(const cv::Mat1b& pale, bool is_level, double greatest_wi
                      cv::Mat::ones(is_level ? cv::Size(length, 1) : cv::Size(1, length), CV_8U));
     std::vector<cv::Point> points;
     cv::findNonZero(straight, points);
-    if (points.empty()) {
-        return found;
-    }
+    if (points.empty()) return found;
     const Bundle bundle = best_tilted(points, is_level, pale.size());
     const Counts counts(points, bundle, pale.size());
     std::vector<Band> bands = counts.bands(kLongEnough * counts.most());
@@ -175,9 +171,7 @@ cv::Mat1b on_even_lines(const cv::Mat1b& pale, bool is_level, double greatest_wi
 
 cv::Mat1b grid_of(const cv::Mat1b& pale, double greatest_width_px) {
     const int pixels = cv::countNonZero(pale);
-    if (pixels < kLeastPale * static_cast<double>(pale.total())) {
-        return {};
-    }
+    if (pixels < kLeastPale * static_cast<double>(pale.total())) return {};
     const cv::Mat1b grid(on_even_lines(pale, true, greatest_width_px) |
                          on_even_lines(pale, false, greatest_width_px));
     return cv::countNonZero(grid) >= kMostlyGrid * pixels ? grid : cv::Mat1b();

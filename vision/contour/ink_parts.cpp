@@ -1,8 +1,10 @@
 #include "vision/contour/ink_parts.h"
 
+#include "vision/contour/region_map.h"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <iterator>
 #include <vector>
 
 #include <opencv2/imgproc.hpp>
@@ -12,8 +14,8 @@ namespace {
 
 constexpr int kLeastArea_px = 8;  // less ink is a speck, less paper a pinhole
 constexpr double kClearlyWide = 1.25;
-constexpr float kAlike = 0.2F;         // of the depth: along a stroke
-constexpr double kMostAlike = 0.55;    // of the ridges
+constexpr float kAlike = 0.2F;             // of the depth: along a stroke
+constexpr double kMostRidgesAlike = 0.55;  // of the ridges
 constexpr double kHair = 0.4;          // of the greatest width: always a stroke, however it swells
 constexpr double kStillAStroke = 1.1;  // of the greatest width: strokes of a piece stay strokes
 constexpr double kWhereTwoMeet = 2.05;
@@ -61,18 +63,15 @@ std::vector<float> usual_depths(const cv::Mat1f& depth, const cv::Mat1i& piece, 
     std::vector<float> usual(ridges.size(), 0.0F);
     for (std::size_t i = 0; i < ridges.size(); ++i) {
         if (!ridges[i].empty()) {
-            const auto middle =
-                ridges[i].begin() + static_cast<std::ptrdiff_t>(ridges[i].size() / 2);
-            std::ranges::nth_element(ridges[i], middle);
-            const float depth_px = *middle;
+            const float depth_px = median_of(ridges[i]);
             const auto alike = std::ranges::count_if(ridges[i], [depth_px](float each) {
                 return std::abs(each - depth_px) <= kAlike * depth_px + 0.5F;
             });
             // Towards the corners of a shape its ridges have every depth.
-            usual[i] =
-                static_cast<double>(alike) >= kMostAlike * static_cast<double>(ridges[i].size())
-                    ? depth_px
-                    : 0.0F;
+            usual[i] = static_cast<double>(alike) >=
+                               kMostRidgesAlike * static_cast<double>(ridges[i].size())
+                           ? depth_px
+                           : 0.0F;
         }
     }
     return usual;
@@ -127,9 +126,7 @@ struct Tail {
 cv::Mat1b wide_part(const cv::Mat1b& mask, const InkParts& parts, const std::vector<float>& usual,
                     double greatest_width_px) {
     const cv::Mat core = wide_cores(parts, usual, greatest_width_px);
-    if (cv::countNonZero(core) == 0) {
-        return cv::Mat1b(mask.size(), uchar{0});
-    }
+    if (cv::countNonZero(core) == 0) return cv::Mat1b(mask.size(), uchar{0});
     const cv::Mat1f from_core = depth_of(~core);
     const double half_px = 0.5 * greatest_width_px;
     cv::Mat wide = (from_core <= half_px + 1.0) & mask;
@@ -164,9 +161,7 @@ cv::Mat1b wide_part(const cv::Mat1b& mask, const InkParts& parts, const std::vec
     });
     const double least_px = (0.5 + kLeastTailOverWidth) * greatest_width_px;
     for_each([&](const cv::Point& p, const Tail& tail) {
-        if (!tail.is_stroke(least_px)) {
-            wide.at<uchar>(p) = 255;
-        }
+        if (!tail.is_stroke(least_px)) wide.at<uchar>(p) = 255;
     });
     return wide;
 }
@@ -178,9 +173,7 @@ void add_swelling(InkParts& parts, const cv::Mat1b& mask, const std::vector<floa
                   double greatest_width_px) {
     const cv::Mat1b rest = cv::Mat(mask & ~parts.shapes);
     const cv::Rect part = part_with(rest);
-    if (part.empty()) {
-        return;
-    }
+    if (part.empty()) return;
     const cv::Mat1f depth = parts.depth(part);
     const cv::Mat1i piece = parts.piece(part);
     cv::Mat1b shapes = parts.shapes(part);
@@ -216,10 +209,60 @@ void add_swelling(InkParts& parts, const cv::Mat1b& mask, const std::vector<floa
         shape[i] = !is_stroke && deepest_px > hair_px ? 255 : 0;
     }
     for (int y = 0; y < depth.rows; ++y) {
-        for (int x = 0; x < depth.cols; ++x) {
-            shapes(y, x) |= shape[of(y, x)];
+        for (int x = 0; x < depth.cols; ++x) shapes(y, x) |= shape[of(y, x)];
+    }
+}
+
+/// Returns the pieces of a mask that are strokes all over, except for parts that run along the
+/// picture's edge, which a frame leaves over.
+cv::Mat wholly_thin(const InkParts& parts, double greatest_width_px) {
+    struct Piece {
+        int pixels = 0;
+        int on_edge = 0;
+        bool has_shape = false;
+    };
+
+    std::vector<Piece> pieces(static_cast<std::size_t>(parts.pieces));
+    const auto is_edge = [](int at, int size) { return at == 0 || at == size - 1; };
+    for (int y = 0; y < parts.piece.rows; ++y) {
+        for (int x = 0; x < parts.piece.cols; ++x) {
+            Piece& piece = pieces[static_cast<std::size_t>(parts.piece(y, x))];
+            ++piece.pixels;
+            piece.on_edge += is_edge(y, parts.piece.rows) || is_edge(x, parts.piece.cols) ? 1 : 0;
+            piece.has_shape = piece.has_shape || parts.shapes(y, x) != 0;
         }
     }
+    pieces.front().has_shape = true;  // what is not part of the mask
+    cv::Mat thin(parts.piece.size(), CV_8U);
+    std::ranges::transform(parts.piece, thin.begin<uchar>(), [&](int number) {
+        const Piece& piece = pieces[static_cast<std::size_t>(number)];
+        const bool is_rim = greatest_width_px * piece.on_edge >= piece.pixels;
+        return piece.has_shape || is_rim ? uchar{0} : uchar{255};
+    });
+    return thin;
+}
+
+/// The number of pixels of a colour, and the box around them.
+struct ColourExtent {
+    int pixels = 0;
+    cv::Rect box;
+};
+
+std::array<ColourExtent, kMostColours> extents_of(const cv::Mat1b& map) {
+    std::array<ColourExtent, kMostColours> extents{};
+    for (int y = 0; y < map.rows; ++y) {
+        for (int x = 0; x < map.cols; ++x) {
+            ColourExtent& extent = extents[map(y, x)];
+            if (extent.pixels++ == 0) {
+                extent.box = {x, y, 1, 1};
+                continue;
+            }
+            const int left = std::min(extent.box.x, x);
+            const int right = std::max(extent.box.br().x, x + 1);
+            extent.box = {left, extent.box.y, right - left, y + 1 - extent.box.y};
+        }
+    }
+    return extents;
 }
 
 }  // namespace
@@ -257,6 +300,27 @@ InkParts parts_of_clean(const cv::Mat1b& mask, double greatest_width_px) {
     add_swelling(parts, mask, usual, greatest_width_px);
     parts.strokes = cv::Mat(mask & ~parts.shapes);
     return parts;
+}
+
+ThinParts thin_parts_of(const cv::Mat1b& map, double greatest_width_px) {
+    const auto extents = extents_of(map);
+    const int ground = ground_of(map);
+    cv::Mat thin(map.size(), CV_8U, cv::Scalar(0));
+    for (int colour = 0; colour < static_cast<int>(kMostColours); ++colour) {
+        const ColourExtent& extent = extents[static_cast<std::size_t>(colour)];
+        if (extent.pixels == 0) continue;
+        // Adds a rim of other colours, so that the box's sides are not taken for more of the
+        // colour.
+        const cv::Rect box =
+            (extent.box + cv::Size(4, 4) - cv::Point(2, 2)) & cv::Rect({}, map.size());
+        const cv::Mat mask = map(box) == colour;
+        const InkParts parts = parts_of_clean(mask, greatest_width_px);
+        cv::Mat here = thin(box);
+        here |= colour == ground ? wholly_thin(parts, greatest_width_px) : cv::Mat(parts.strokes);
+    }
+    ThinParts found{parts_of(thin, greatest_width_px).strokes, map.clone()};
+    overgrow(found.map, found.strokes);
+    return found;
 }
 
 }  // namespace touchline

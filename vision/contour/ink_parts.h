@@ -1,5 +1,5 @@
-// Separates strokes of ink from shapes.
-// Threads: pure functions.
+// Separates strokes from shapes, in ink and in a map of colours.
+// Threads: pure functions (OpenCV uses its own inside).
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -27,5 +27,16 @@ struct InkParts {
 
 /// Returns the distance of each pixel of the mask to the nearest one outside, pixels.
 [[nodiscard]] cv::Mat1f depth_of(const cv::Mat& mask);
+
+struct ThinParts {
+    cv::Mat1b strokes;  // 255 inside, for all colours together: they may cross
+    cv::Mat1b map;      // of the rest, grown over the strokes
+};
+
+/// The map has no specks. Strokes are the parts of each colour's areas that are no wider than a
+/// stroke (parts_of). Of the ground, the commonest colour, only areas that are thin as a whole
+/// count: between two shapes such an area is a gap, within one a line. Strokes of several colours
+/// side by side that are wide together are not strokes. O(pixels x colours).
+[[nodiscard]] ThinParts thin_parts_of(const cv::Mat1b& map, double greatest_width_px);
 
 }  // namespace touchline

@@ -55,10 +55,6 @@ class Solver {
         return skeleton_.arms[chain_of(end)].points;
     }
 
-    [[nodiscard]] cv::Point2d place_of(EndId end) const {
-        return is_back(end) ? points(end).back().at : points(end).front().at;
-    }
-
     [[nodiscard]] bool is_free(EndId end) const {
         return !skeleton_.arms[chain_of(end)].is_closed && node_of_[end] == kFree;
     }

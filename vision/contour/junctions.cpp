@@ -1,17 +1,10 @@
 #include "vision/contour/junctions.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <map>
 #include <numbers>
 
 namespace touchline {
-namespace {
-
-constexpr EndId kNobody = std::numeric_limits<EndId>::max();
-
-}  // namespace
 
 void JunctionSet::add_cluster(std::vector<EndId> ends, cv::Point2d centre) {
     junctions_.push_back({centre, std::move(ends), false});
@@ -25,26 +18,18 @@ void JunctionSet::add_meeting(EndId end, PointRef host) {
 std::vector<Chain> JunctionSet::assembled(std::vector<Chain> lines) {
     arms_ = std::move(lines);
     moved_.resize(2 * arms_.size());
-    for (EndId end = 0; end < moved_.size(); ++end) {
-        moved_[end] = end;
-    }
+    for (EndId end = 0; end < moved_.size(); ++end) moved_[end] = end;
     cut_hosts();
-    partner_.assign(2 * arms_.size(), kNobody);
-    for (const auto& [a, b] : joints_) {
-        join(moved_[a], moved_[b]);
-    }
-    for (Junction& junction : junctions_) {
-        place(junction);
-    }
-    for (const SolvedJunction& junction : solved_) {
-        pin(junction);
-    }
+    partner_.assign(2 * arms_.size(), kNoEnd);
+    for (const auto& [a, b] : joints_) join(moved_[a], moved_[b]);
+    for (Junction& junction : junctions_) place(junction);
+    for (const SolvedJunction& junction : solved_) pin(junction);
     is_walked_.assign(arms_.size(), false);
     std::vector<Chain> outlines;
     for (const bool from_ends : {true, false}) {  // first the open ones; the rest are rings
         for (std::size_t arm = 0; arm < arms_.size(); ++arm) {
             for (const EndId end : {front_of(arm), back_of(arm)}) {
-                if (!is_walked_[arm] && (!from_ends || partner_[end] == kNobody)) {
+                if (!is_walked_[arm] && (!from_ends || partner_[end] == kNoEnd)) {
                     outlines.push_back(walked(end));
                 }
             }
@@ -55,9 +40,7 @@ std::vector<Chain> JunctionSet::assembled(std::vector<Chain> lines) {
 
 void JunctionSet::cut_hosts() {
     std::map<std::size_t, std::vector<Cut>> by_host;
-    for (const Cut& c : cuts_) {
-        by_host[c.host.chain].push_back(c);
-    }
+    for (const Cut& c : cuts_) by_host[c.host.chain].push_back(c);
     for (auto& [host, cuts] : by_host) {
         std::ranges::stable_sort(cuts, {}, [](const Cut& c) { return c.host.index; });
         // Meetings closer together than the blur are one junction: a crossing, seen from both
@@ -78,13 +61,9 @@ void JunctionSet::cut_hosts() {
         cut(host, apart);
     }
     for (Junction& junction : junctions_) {
-        for (EndId& end : junction.arms) {
-            end = moved_[end];
-        }
+        for (EndId& end : junction.arms) end = moved_[end];
     }
-    for (const auto& [junction, end] : host_arms_) {
-        junctions_[junction].arms.push_back(end);
-    }
+    for (const auto& [junction, end] : host_arms_) junctions_[junction].arms.push_back(end);
     std::erase_if(junctions_, [](const Junction& j) { return j.arms.empty(); });
 }
 
@@ -94,15 +73,11 @@ void JunctionSet::cut(std::size_t host, const std::vector<Cut>& cuts) {
     std::size_t offset = 0;
     if (line.is_closed) {
         offset = cuts.front().host.index;
-        std::ranges::rotate(line.points, line.points.begin() + static_cast<std::ptrdiff_t>(offset));
+        begin_at(offset, line.points);
         line.points.push_back(line.points.front());
     }
     const auto part = [&](std::size_t from, std::size_t to) {
-        return Chain{{line.points.begin() + static_cast<std::ptrdiff_t>(from),
-                      line.points.begin() + static_cast<std::ptrdiff_t>(to) + 1},
-                     false,
-                     line.width_px,
-                     line.of};
+        return Chain{part_of(line.points, from, to + 1), false, line.width_px, line.of};
     };
     std::size_t piece = host;
     std::size_t from = 0;
@@ -140,9 +115,7 @@ void JunctionSet::place(Junction& junction) {
         }
     }
     const bool is_moved = !junction.is_on_line || straightest > kStraightOn;
-    if (is_moved) {
-        junction.at = place_of(rays, junction.at);
-    }
+    if (is_moved) junction.at = place_of(rays, junction.at);
     join_through(junction.arms, rays);
     pin_arms(junction, is_moved);
 }
@@ -165,9 +138,7 @@ void JunctionSet::join_through(const std::vector<EndId>& ends, const std::vector
     for (std::size_t i = 0; i < ends.size(); ++i) {
         for (std::size_t j = i + 1; j < ends.size(); ++j) {
             const double angle = turn(rays[i], rays[j]);
-            if (angle < kStraightOn) {
-                pairs.push_back({angle, i, j});
-            }
+            if (angle < kStraightOn) pairs.push_back({angle, i, j});
         }
     }
     std::ranges::stable_sort(pairs, {}, &Pair::angle);
@@ -186,9 +157,7 @@ void JunctionSet::join_through(const std::vector<EndId>& ends, const std::vector
 void JunctionSet::pin_arms(const Junction& junction, bool is_moved) {
     for (const EndId end : junction.arms) {
         std::vector<EdgePoint>& points = arms_[chain_of(end)].points;
-        if (!is_back(end)) {
-            std::ranges::reverse(points);
-        }
+        if (!is_back(end)) std::ranges::reverse(points);
         EdgePoint last = points.back();
         last.at = junction.at;
         last.is_fixed = true;
@@ -196,26 +165,18 @@ void JunctionSet::pin_arms(const Junction& junction, bool is_moved) {
                distance(points.back().at, junction.at) < blur_px_) {
             points.pop_back();
         }
-        if (points.size() > 1 && points.back().at == junction.at) {
-            points.pop_back();
-        }
+        if (points.size() > 1 && points.back().at == junction.at) points.pop_back();
         points.push_back(last);
-        if (!is_back(end)) {
-            std::ranges::reverse(points);
-        }
+        if (!is_back(end)) std::ranges::reverse(points);
     }
 }
 
 void JunctionSet::pin(const SolvedJunction& junction) {
-    for (const auto& [a, b] : junction.through) {
-        join(moved_[a], moved_[b]);
-    }
+    for (const auto& [a, b] : junction.through) join(moved_[a], moved_[b]);
     for (const SolvedJunction::Arm& arm : junction.arms) {
         const EndId end = moved_[arm.end];
         std::vector<EdgePoint>& points = arms_[chain_of(end)].points;
-        if (is_back(end)) {
-            std::ranges::reverse(points);
-        }
+        if (is_back(end)) std::ranges::reverse(points);
         EdgePoint first = points.front();
         first.at = junction.at;
         first.is_fixed = true;
@@ -226,9 +187,7 @@ void JunctionSet::pin(const SolvedJunction& junction) {
         points.erase(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(
                                                           std::min(gone, points.size() - 1)));
         points.insert(points.begin(), first);
-        if (is_back(end)) {
-            std::ranges::reverse(points);
-        }
+        if (is_back(end)) std::ranges::reverse(points);
     }
 }
 
@@ -242,17 +201,13 @@ void JunctionSet::join(EndId a, EndId b) {
 Chain JunctionSet::walked(EndId start) {
     Chain line;
     EndId in = start;
-    while (in != kNobody && !is_walked_[chain_of(in)]) {
+    while (in != kNoEnd && !is_walked_[chain_of(in)]) {
         Chain& arm = arms_[chain_of(in)];
         is_walked_[chain_of(in)] = true;
         line.width_px = std::max(line.width_px, arm.width_px);
         line.of = arm.of;
-        if (arm.is_closed) {
-            return std::move(arm);
-        }
-        if (is_back(in)) {
-            std::ranges::reverse(arm.points);
-        }
+        if (arm.is_closed) return std::move(arm);
+        if (is_back(in)) std::ranges::reverse(arm.points);
         const bool is_shared =
             !line.points.empty() && line.points.back().at == arm.points.front().at;
         line.points.insert(line.points.end(), arm.points.begin() + (is_shared ? 1 : 0),
@@ -260,9 +215,7 @@ Chain JunctionSet::walked(EndId start) {
         in = partner_[in ^ 1U];
     }
     line.is_closed = in == start && line.points.size() > 3;
-    if (line.is_closed && line.points.front().at == line.points.back().at) {
-        line.points.pop_back();
-    }
+    if (line.is_closed && line.points.front().at == line.points.back().at) line.points.pop_back();
     return line;
 }
 

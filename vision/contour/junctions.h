@@ -2,7 +2,7 @@
 // other again. Threads: one object, one thread.
 #pragma once
 
-#include "vision/contour/ends.h"
+#include "vision/contour/chain.h"
 
 #include <utility>
 

@@ -28,7 +28,7 @@ struct Linked {
 /// * an end near another line (or further along its own) meets it there: a junction.
 /// At a junction, arms that continue each other within 30 degrees run through as one outline;
 /// others end there. All have the junction's point exactly, marked fixed. A line with both ends on
-/// the frame is closed along it if the frame cuts off a shape (frame.h).
+/// the frame is closed along it if the frame cuts off a shape.
 [[nodiscard]] Linked linked(std::vector<Chain> lines, cv::Size picture, const Reach& reach);
 
 }  // namespace touchline

@@ -1,10 +1,8 @@
 #include "vision/contour/main_shape.h"
 
 #include "vision/contour/gradient.h"
-#include "vision/contour/palette.h"
-#include "vision/contour/region_borders.h"
-#include "vision/contour/ring_snap.h"
-#include "vision/contour/sampling.h"
+#include "vision/contour/region_map.h"
+#include "vision/contour/rings.h"
 
 #include <algorithm>
 #include <array>
@@ -55,8 +53,8 @@ cv::Mat1f salience(const LabPicture& lab) {
     }
     constexpr double kAnyNoise = 100.0;  // textured borders have colours too
     std::vector<cv::Vec3f> colours = palette_of(border, kAnyNoise);
-    constexpr std::size_t kMostColours = 12;
-    colours.resize(std::min(colours.size(), kMostColours));
+    constexpr std::size_t kMostAsked = 12;
+    colours.resize(std::min(colours.size(), kMostAsked));
     cv::Mat1f unlike(lab.size());
     for (int y = 0; y < lab.rows; ++y) {
         for (int x = 0; x < lab.cols; ++x) {
@@ -116,13 +114,9 @@ cv::Mat1b one_part(const cv::Mat& object, const std::optional<cv::Point>& spot) 
     const int n = cv::connectedComponentsWithStats(object, label, stats, centres, 4, CV_32S);
     int best = spot ? label(*spot) : 0;
     for (int i = 1; i < n && !spot; ++i) {
-        if (best == 0 || stats(i, cv::CC_STAT_AREA) > stats(best, cv::CC_STAT_AREA)) {
-            best = i;
-        }
+        if (best == 0 || stats(i, cv::CC_STAT_AREA) > stats(best, cv::CC_STAT_AREA)) best = i;
     }
-    if (best == 0) {
-        return {};
-    }
+    if (best == 0) return {};
     cv::Mat outside = label != best;  // flooded from a frame round the picture; the rest is holes
     cv::copyMakeBorder(outside, outside, 1, 1, 1, 1, cv::BORDER_CONSTANT, 255);
     cv::floodFill(outside, {0, 0}, 128);
@@ -182,13 +176,9 @@ std::optional<Chain> ring_round(const cv::Mat1b& mask) {
     const cv::Mat1b map = cv::Mat((soft >= 1.0F) & 1);
     Chain longest;
     for (Chain& ring : region_borders(map, levels, {{0.0F, 0.0F, 0.0F}, {2.0F, 0.0F, 0.0F}})) {
-        if (ring.is_closed && length_of(ring) > length_of(longest)) {
-            longest = std::move(ring);
-        }
+        if (ring.is_closed && length_of(ring) > length_of(longest)) longest = std::move(ring);
     }
-    if (longest.points.empty()) {
-        return std::nullopt;
-    }
+    if (longest.points.empty()) return std::nullopt;
     for (EdgePoint& point : longest.points) {
         point.at.x = std::clamp(point.at.x - 3.0, -0.5, mask.cols - 0.5);
         point.at.y = std::clamp(point.at.y - 3.0, -0.5, mask.rows - 0.5);
@@ -247,18 +237,14 @@ std::optional<Chain> main_shape(const cv::Mat& picture, std::optional<cv::Point2
     constexpr double kSmoothing_px = 1.5;
     const cv::Mat1f strength = colour_gradient(fine, kSmoothing_px).strength;
     std::optional<Chain> found = ring_round(object);
-    if (!found) {
-        return std::nullopt;
-    }
+    if (!found) return std::nullopt;
     Chain& ring = *found;
     scale(ring, static_cast<double>(fine.cols) / coarse.cols,
           static_cast<double>(fine.rows) / coarse.rows);
     ring = resampled(ring, 1.0);
     snap(ring, strength, kSnap_px);
     ring = resampled(ring, 1.0);
-    if (!is_on_edges(ring, strength)) {
-        return std::nullopt;
-    }
+    if (!is_on_edges(ring, strength)) return std::nullopt;
     scale(ring, static_cast<double>(picture.cols) / fine.cols,
           static_cast<double>(picture.rows) / fine.rows);
     return found;

@@ -3,10 +3,7 @@
 #include "vision/contour/corners.h"
 #include "vision/contour/double_edges.h"
 #include "vision/contour/edge_lines.h"
-#include "vision/contour/edge_strength.h"
-#include "vision/contour/finger.h"
 #include "vision/contour/linking.h"
-#include "vision/contour/scale.h"
 #include "vision/contour/texture.h"
 
 #include <algorithm>
@@ -16,8 +13,7 @@
 namespace touchline {
 namespace {
 
-constexpr double kWorkingPixels = 1e6;  // 0.1 mm a pixel on a drawing area of 116 x 84 mm
-constexpr double kPhotoPixels = 3e5;    // finer edges of a photo are texture, and cost time
+constexpr double kPhotoPixels = 3e5;  // finer edges of a photo are texture, and cost time
 constexpr double kPhotoSmoothing_px = 2.0;
 constexpr double kLongestTexture_mm = 20.0;
 constexpr double kSmallestTexture_mm = 20.0;
@@ -95,9 +91,7 @@ void find(const GradientField& field, const Hysteresis& limits, double px_per_mm
     found.specks_dropped = drop_specks(found.chains, shortest_px);
     const double blur_px = std::hypot(found.smoothing_px, kPhotoBlur_px);
     for (Chain& chain : found.chains) {
-        if (chain.of != LineOf::texture) {
-            chain = with_sharp_corners(chain, blur_px);
-        }
+        if (chain.of != LineOf::texture) chain = with_sharp_corners(chain, blur_px);
     }
 }
 

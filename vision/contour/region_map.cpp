@@ -1,17 +1,104 @@
 #include "vision/contour/region_map.h"
 
-#include "vision/contour/palette.h"
-#include "vision/contour/region_runs.h"
-
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <limits>
 
 namespace touchline {
 namespace {
 
-constexpr int kReach_px = 3;       // how far away to look for the pure colours beside an edge
+constexpr int kBins = 32;       // along each axis
+constexpr float kBin = 8.0F;    // grey levels
+constexpr float kSame = 16.0F;  // colours nearer than this are one
+constexpr std::size_t kMost = 64;
+constexpr float kNear = 45.0F;  // a colour this near to a common one may be a ripple of it
+constexpr double kLeastOverNear = 0.006;  // of the common colour's pixels
+constexpr double kLeastInkPart = 0.0005;  // of the picture
+constexpr float kFlat = 6.0F;             // grey levels across two pixels
+
+struct Bin {
+    cv::Vec3f sum;
+    int count = 0;
+};
+
+int cell(float value, float low, float size, int n) {
+    return static_cast<int>(std::clamp((value - low) / size, 0.0F, static_cast<float>(n - 1)));
+}
+
+float squared(const cv::Vec3f& d) {
+    return d.dot(d);
+}
+
+std::size_t bin_of(const cv::Vec3f& lab) {
+    return static_cast<std::size_t>(
+        (cell(lab[0], 0.0F, kBin, kBins) * kBins + cell(lab[1], -128.0F, kBin, kBins)) * kBins +
+        cell(lab[2], -128.0F, kBin, kBins));
+}
+
+/// Returns whether a pixel is not a mixture along an axis: both sides of it are alike, as in the
+/// middle of a line, or it and one beside it are, as in a line of two pixels.
+bool is_plain(const LabPicture& lab, const cv::Point& at, const cv::Point& along, float flat) {
+    const auto alike = [&](int i, int j) {
+        return squared(lab(at + i * along) - lab(at + j * along)) < flat * flat;
+    };
+    return alike(-1, 1) || (alike(0, 1) && alike(-1, 2)) || (alike(0, -1) && alike(1, -2));
+}
+
+/// Counts the colours of pixels that are not mixtures.
+std::vector<Bin> histogram(const LabPicture& lab, double noise) {
+    std::vector<Bin> bins(static_cast<std::size_t>(kBins * kBins * kBins));
+    const float flat = kFlat + 3.0F * static_cast<float>(noise);
+    for (int y = 2; y + 2 < lab.rows; ++y) {
+        for (int x = 2; x + 2 < lab.cols; ++x) {
+            if (is_plain(lab, {x, y}, {1, 0}, flat) && is_plain(lab, {x, y}, {0, 1}, flat)) {
+                Bin& bin = bins[bin_of(lab(y, x))];
+                bin.sum += lab(y, x);
+                ++bin.count;
+            }
+        }
+    }
+    return bins;
+}
+
+/// Returns the mean of all filled bins within reach of `colour`.
+Bin around(const std::vector<Bin>& filled, const cv::Vec3f& colour) {
+    Bin all;
+    for (const Bin& bin : filled) {
+        if (squared(bin.sum * (1.0F / static_cast<float>(bin.count)) - colour) < kSame * kSame) {
+            all.sum += bin.sum;
+            all.count += bin.count;
+        }
+    }
+    return all;
+}
+
+cv::Vec3f mean_of(const Bin& bin) {
+    return bin.sum * (1.0F / static_cast<float>(bin.count));
+}
+
+/// Returns how many pixels make a colour: more near a common one, whose blur and compression look
+/// like it.
+double least_count(const Bin& peak, const std::vector<Bin>& found, double least) {
+    double most = found.empty() ? 1.0 : std::max(1.0, least);
+    for (const Bin& common : found) {
+        if (peak.count > 0 && squared(mean_of(peak) - mean_of(common)) < kNear * kNear) {
+            most = std::max(most, kLeastOverNear * common.count);
+        }
+    }
+    return most;
+}
+
+std::size_t first_of(std::vector<Run>& runs, std::size_t i) {
+    while (runs[i].region != i) {
+        runs[i].region = runs[runs[i].region].region;
+        i = runs[i].region;
+    }
+    return i;
+}
+
+constexpr int kPureReach_px = 3;   // how far away to look for the pure colours beside an edge
 constexpr float kMixture = 14.0F;  // grey levels off the line between two colours
 constexpr float kMixtureOverStep = 0.12F;
 
@@ -35,9 +122,7 @@ cv::Mat1b uniform_pixels(const cv::Mat1b& colours) {
 bool is_solid(const cv::Mat1b& colours, const cv::Mat1b& uniform, int y, int x) {
     for (int v = std::max(0, y - 1); v <= std::min(colours.rows - 1, y + 1); ++v) {
         for (int u = std::max(0, x - 1); u <= std::min(colours.cols - 1, x + 1); ++u) {
-            if (uniform(v, u) != 0 && colours(v, u) == colours(y, x)) {
-                return true;
-            }
+            if (uniform(v, u) != 0 && colours(v, u) == colours(y, x)) return true;
         }
     }
     return false;
@@ -67,15 +152,14 @@ class Mixtures {
         std::array<uchar, 8> near{};
         std::size_t n = 0;
         const uchar own = colours_(y, x);
-        for (int v = std::max(0, y - kReach_px); v <= std::min(lab_.rows - 1, y + kReach_px); ++v) {
-            for (int u = std::max(0, x - kReach_px); u <= std::min(lab_.cols - 1, x + kReach_px);
-                 ++u) {
+        for (int v = std::max(0, y - kPureReach_px);
+             v <= std::min(lab_.rows - 1, y + kPureReach_px); ++v) {
+            for (int u = std::max(0, x - kPureReach_px);
+                 u <= std::min(lab_.cols - 1, x + kPureReach_px); ++u) {
                 const uchar c = colours_(v, u);
                 const bool is_new =
                     c != own && std::find(near.begin(), near.begin() + n, c) == near.begin() + n;
-                if (is_new && n < near.size() && is_pure(v, u)) {
-                    near[n++] = c;
-                }
+                if (is_new && n < near.size() && is_pure(v, u)) near[n++] = c;
             }
         }
         return best_mixture(lab_(y, x), own, {near.begin(), near.begin() + n});
@@ -117,9 +201,7 @@ class Mixtures {
 std::vector<Run> small_regions(const cv::Mat1b& map, int least_px) {
     const std::vector<Run> runs = runs_of(map);
     std::vector<int> area_px(runs.size(), 0);
-    for (const Run& run : runs) {
-        area_px[run.region] += run.to - run.from;
-    }
+    for (const Run& run : runs) area_px[run.region] += run.to - run.from;
     std::vector<Run> small;
     std::ranges::copy_if(runs, std::back_inserter(small),
                          [&](const Run& run) { return area_px[run.region] < least_px; });
@@ -132,8 +214,98 @@ std::array<cv::Point, 4> beside(const cv::Point& p) {
 
 }  // namespace
 
+std::vector<cv::Vec3f> palette_of(const LabPicture& lab, double noise) {
+    std::vector<Bin> filled = histogram(lab, noise);
+    std::erase_if(filled, [](const Bin& bin) { return bin.count == 0; });
+    if (filled.empty()) return {lab(lab.rows / 2, lab.cols / 2)};
+    std::ranges::stable_sort(filled, std::greater<>(), &Bin::count);
+    const double least = kLeastInkPart * static_cast<double>(lab.total());
+    std::vector<Bin> found;
+    while (!filled.empty() && found.size() < kMost) {
+        Bin peak = around(filled, mean_of(filled.front()));
+        peak = around(filled, mean_of(peak));  // one step uphill
+        if (peak.count < least_count(peak, found, least)) {
+            filled.erase(filled.begin());
+            if (filled.empty() || filled.front().count < least / 16.0) break;
+            continue;
+        }
+        const cv::Vec3f colour = mean_of(peak);
+        found.push_back(peak);
+        std::erase_if(
+            filled, [&](const Bin& bin) { return squared(mean_of(bin) - colour) < kSame * kSame; });
+    }
+    std::vector<cv::Vec3f> palette;
+    std::ranges::transform(found, std::back_inserter(palette), mean_of);
+    return palette;
+}
+
+cv::Mat1b nearest_colours(const LabPicture& lab, const std::vector<cv::Vec3f>& palette) {
+    constexpr int kFine = 64;          // cells along each axis: a table of the nearest, made as
+    constexpr float kFineSize = 4.0F;  // asked for
+    constexpr uchar kUnknown = 255;
+    std::vector<uchar> table(static_cast<std::size_t>(kFine * kFine * kFine), kUnknown);
+    cv::Mat1b nearest(lab.size());
+    for (int y = 0; y < lab.rows; ++y) {
+        for (int x = 0; x < lab.cols; ++x) {
+            const cv::Vec3f& colour = lab(y, x);
+            const int l = cell(colour[0], 0.0F, kFineSize, kFine);
+            const int a = cell(colour[1], -128.0F, kFineSize, kFine);
+            const int b = cell(colour[2], -128.0F, kFineSize, kFine);
+            uchar& known = table[static_cast<std::size_t>((l * kFine + a) * kFine + b)];
+            if (known == kUnknown) {
+                const cv::Vec3f centre((static_cast<float>(l) + 0.5F) * kFineSize,
+                                       (static_cast<float>(a) + 0.5F) * kFineSize - 128.0F,
+                                       (static_cast<float>(b) + 0.5F) * kFineSize - 128.0F);
+                const auto best = std::ranges::min_element(
+                    palette, {}, [&](const cv::Vec3f& c) { return squared(c - centre); });
+                known = static_cast<uchar>(best - palette.begin());
+            }
+            nearest(y, x) = known;
+        }
+    }
+    return nearest;
+}
+
+std::vector<Run> runs_of(const cv::Mat1b& map) {
+    std::vector<Run> runs;
+    std::size_t above = 0;  // first run of the row above that may touch
+    for (int y = 0; y < map.rows; ++y) {
+        const uchar* colours = map[y];
+        const std::size_t row_start = runs.size();
+        for (int from = 0, to = 0; from < map.cols; from = to) {
+            while (to < map.cols && colours[to] == colours[from]) ++to;
+            runs.push_back({y, from, to, runs.size()});
+            while (above < row_start && runs[above].to <= from) ++above;
+            for (std::size_t i = above; i < row_start && runs[i].from < to; ++i) {
+                if (map(y - 1, runs[i].from) == colours[from]) {
+                    const std::size_t a = first_of(runs, i);
+                    const std::size_t b = first_of(runs, runs.size() - 1);
+                    runs[std::max(a, b)].region = std::min(a, b);
+                }
+            }
+        }
+        above = row_start;
+    }
+    for (std::size_t i = 0; i < runs.size(); ++i) runs[i].region = first_of(runs, i);
+    return runs;
+}
+
 cv::Mat1b region_map(const LabPicture& lab, const std::vector<cv::Vec3f>& palette) {
     return Mixtures(lab, palette, nearest_colours(lab, palette)).undone();
+}
+
+uchar ground_of(const cv::Mat1b& map) {
+    std::array<int, kMostColours> counts{};
+    for (const uchar colour : map) ++counts[colour];
+    return static_cast<uchar>(std::ranges::max_element(counts) - counts.begin());
+}
+
+double strongest_contrast(const std::vector<cv::Vec3f>& palette, uchar ground) {
+    double strongest = 0.0;
+    for (const cv::Vec3f& colour : palette) {
+        strongest = std::max(strongest, cv::norm(colour - palette[ground]));
+    }
+    return strongest;
 }
 
 void overgrow_specks(cv::Mat1b& map, int least_px) {

@@ -8,12 +8,9 @@
 #include "vision/contour/ink_parts.h"
 #include "vision/contour/junctions.h"
 #include "vision/contour/linking.h"
-#include "vision/contour/palette.h"
-#include "vision/contour/region_borders.h"
 #include "vision/contour/region_map.h"
+#include "vision/contour/rings.h"
 #include "vision/contour/strokes.h"
-#include "vision/contour/thin_parts.h"
-#include "vision/prepare/painted_over.h"
 #include "vision/prepare/paper.h"
 
 #include <algorithm>
@@ -58,20 +55,9 @@ struct FlatPicture {
     double smoothing_px = 0.0;
 };
 
-uchar commonest(const cv::Mat1b& map, const std::vector<cv::Vec3f>& palette) {
-    std::vector<int> counts(palette.size(), 0);
-    for (const uchar colour : map) {
-        ++counts[colour];
-    }
-    return static_cast<uchar>(std::ranges::max_element(counts) - counts.begin());
-}
-
 /// Returns the colours that differ from the ground, but much less than others do.
 cv::Mat1b pale_pixels(const cv::Mat1b& map, const std::vector<cv::Vec3f>& palette, uchar ground) {
-    double strongest = 0.0;
-    for (const cv::Vec3f& colour : palette) {
-        strongest = std::max(strongest, cv::norm(colour - palette[ground]));
-    }
+    const double strongest = strongest_contrast(palette, ground);
     cv::Mat1b pale(map.size());
     std::ranges::transform(map, pale.begin(), [&](uchar colour) {
         const double contrast = cv::norm(palette[colour] - palette[ground]);
@@ -83,7 +69,7 @@ cv::Mat1b pale_pixels(const cv::Mat1b& map, const std::vector<cv::Vec3f>& palett
 /// Finds the picture's regions after removing a grid behind them.
 void find_regions(FlatPicture& flat, double greatest_width_px) {
     flat.map = region_map(flat.lab, flat.palette);
-    const uchar ground = commonest(flat.map, flat.palette);
+    const uchar ground = ground_of(flat.map);
     const cv::Mat1b pale = pale_pixels(flat.map, flat.palette, ground);
     cv::Mat1b grid;
     if (cv::countNonZero(pale) > 0) {  // most flat pictures have nothing pale to examine
@@ -102,13 +88,9 @@ void find_regions(FlatPicture& flat, double greatest_width_px) {
 
 FlatPicture flat_picture(const LabPicture& lab, double noise, double greatest_width_px) {
     FlatPicture flat{lab, {}, {}, {}, smoothing_for_noise(noise)};
-    if (flat.smoothing_px > 0.0) {
-        cv::GaussianBlur(lab, flat.lab, cv::Size(), flat.smoothing_px);
-    }
+    if (flat.smoothing_px > 0.0) cv::GaussianBlur(lab, flat.lab, cv::Size(), flat.smoothing_px);
     const Paper paper(flat.lab);
-    if (paper.part() >= kLeastPaper) {
-        flat.lab = evenly_lit(flat.lab, paper);
-    }
+    if (paper.part() >= kLeastPaper) flat.lab = evenly_lit(flat.lab, paper);
     flat.palette = palette_of(flat.lab, noise);
     find_regions(flat, greatest_width_px);
     return flat;
@@ -140,9 +122,7 @@ Ink ink_of_strokes(const FlatPicture& flat, const ThinParts& thin, const FineMar
 /// Returns dashes and dots in a row among what is too small for an area; the rest are letters and
 /// specks.
 std::vector<Chain> broken_lines(const FineMarks& marks, double greatest_width_px) {
-    if (cv::countNonZero(marks.bits) == 0) {
-        return {};
-    }
+    if (cv::countNonZero(marks.bits) == 0) return {};
     std::vector<Chain> lines = with_dashes_joined(
         stroke_lines(ink_of_marks(marks.bits, marks.contrast), greatest_width_px),
         greatest_width_px / kWidestStroke_mm);
@@ -155,9 +135,7 @@ std::vector<Chain> outside(const std::vector<Chain>& lines, const cv::Mat& mask)
     std::vector<Chain> kept;
     for (const Chain& line : lines) {
         const auto is_inside = [&](const EdgePoint& p) {
-            const cv::Point at(std::clamp(cvRound(p.at.x), 0, mask.cols - 1),
-                               std::clamp(cvRound(p.at.y), 0, mask.rows - 1));
-            return mask.at<uchar>(at) != 0;
+            return mask.at<uchar>(pixel_at(p.at, mask.size())) != 0;
         };
         std::vector<EdgePoint> points = line.points;
         const auto first = std::ranges::find_if(points, is_inside);
@@ -165,15 +143,11 @@ std::vector<Chain> outside(const std::vector<Chain>& lines, const cv::Mat& mask)
             kept.push_back(line);
             continue;
         }
-        if (line.is_closed) {
-            std::ranges::rotate(points, first);
-        }
+        if (line.is_closed) std::ranges::rotate(points, first);
         for (auto from = points.begin(); from != points.end();) {
             from = std::find_if_not(from, points.end(), is_inside);
             const auto to = std::find_if(from, points.end(), is_inside);
-            if (to - from > kLeastPoints) {
-                kept.push_back({{from, to}, false});
-            }
+            if (to - from > kLeastPoints) kept.push_back({{from, to}, false});
             from = to;
         }
     }
@@ -188,23 +162,15 @@ std::vector<Chain> joined(std::vector<Chain> lines, std::size_t strokes, cv::Siz
     const PointGrid grid(lines, size, greatest_width_px);
     std::set<Place> met;
     std::set<Place> twice;
-    const auto end_point = [&](EndId end) {
-        const std::vector<EdgePoint>& points = lines[chain_of(end)].points;
-        return is_back(end) ? points.back().at : points.front().at;
-    };
     for (EndId end = 0; end < 2 * lines.size(); ++end) {
-        const cv::Point2d at = end_point(end);
-        if (!met.insert({at.x, at.y}).second) {
-            twice.insert({at.x, at.y});
-        }
+        const Place place = place_of(point_at(lines, end).at);
+        if (!met.insert(place).second) twice.insert(place);
     }
     for (EndId end = 0; end < 2 * lines.size(); ++end) {
-        const cv::Point2d at = end_point(end);
+        const cv::Point2d at = point_at(lines, end).at;
         const bool is_on_frame =
             at.x < 0.0 || at.y < 0.0 || at.x > size.width - 1.0 || at.y > size.height - 1.0;
-        if (lines[chain_of(end)].is_closed || is_on_frame || twice.contains({at.x, at.y})) {
-            continue;
-        }
+        if (lines[chain_of(end)].is_closed || is_on_frame || twice.contains(place_of(at))) continue;
         const bool is_stroke = chain_of(end) < strokes;
         double nearest_px =
             is_stroke ? lines[chain_of(end)].width_px + 3.0 : 0.5 * greatest_width_px + 3.0;
@@ -216,9 +182,7 @@ std::vector<Chain> joined(std::vector<Chain> lines, std::size_t strokes, cv::Siz
                 host = ref;
             }
         });
-        if (host) {
-            junctions.add_meeting(end, *host);
-        }
+        if (host) junctions.add_meeting(end, *host);
     }
     return junctions.assembled(std::move(lines));
 }
@@ -244,9 +208,7 @@ std::vector<Chain> region_lines(const LabPicture& lab, double noise, double grea
     for (Chain& line : borders) {
         line = with_sharp_corners(line, std::hypot(flat.smoothing_px, kDrawingBlur_px));
     }
-    if (strokes == 0) {
-        return borders;
-    }
+    if (strokes == 0) return borders;
     std::ranges::move(borders, std::back_inserter(lines));
     return joined(std::move(lines), strokes, lab.size(), greatest_width_px);
 }

@@ -7,9 +7,9 @@
 
 namespace touchline {
 
-/// Quantises the colours (palette.h) and gives every pixel to a region (region_map.h). Traces
+/// Quantises the colours and gives every pixel to a region (region_map.h). Traces
 /// strokes no wider than `greatest_width_px` by their middle lines, whatever their colours
-/// (thin_parts.h, strokes.h), and the borders of all else (region_borders.h): one line per border,
+/// (ink_parts.h, strokes.h), and the borders of all else (rings.h): one line per border,
 /// not one from each side; sub-pixel, where the colour is half-way between the two; closed unless
 /// the frame cuts it. A border ends on the stroke that it comes to. Where three regions meet, the
 /// lines share their point bit for bit, fixed; lines that continue each other within 30 degrees run

@@ -2,11 +2,115 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
+#include <bit>
+#include <iterator>
 #include <limits>
 
 namespace touchline {
 namespace {
+
+constexpr float kStepsPerPixel = 8.0F;  // of depth
+
+/// Whether a pixel may go, by its eight neighbours (bit k: neighbour k, round the pixel, even bits
+/// beside it): it is not an end, and its neighbours stay connected without it (Yokoi's number is
+/// 1).
+constexpr std::array<bool, 256> removable_table() {
+    std::array<bool, 256> table{};
+    for (unsigned code = 0; code < 256; ++code) {
+        const auto empty = [&](unsigned k) { return (code >> (k % 8U) & 1U) == 0U ? 1 : 0; };
+        int parts = 0;
+        for (unsigned k = 0; k < 8; k += 2) {
+            parts += empty(k) - empty(k) * empty(k + 1) * empty(k + 2);
+        }
+        table[code] = parts == 1 && std::popcount(code) >= 2;
+    }
+    return table;
+}
+
+constexpr std::array<bool, 256> kRemovable = removable_table();
+
+class Thinning {
+  public:
+    Thinning(const cv::Mat1b& mask, const cv::Mat1f& depth)
+        : width_(mask.cols + 2),
+          around_{1, 1 - width_, -width_, -1 - width_, -1, width_ - 1, width_, width_ + 1},
+          inside_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(mask.rows + 2), 0),
+          level_(inside_.size(), 0) {
+        for (int y = 0; y < mask.rows; ++y) {
+            for (int x = 0; x < mask.cols; ++x) {
+                if (mask(y, x) != 0) {
+                    add(static_cast<std::size_t>((y + 1) * width_ + x + 1), depth(y, x));
+                }
+            }
+        }
+    }
+
+    /// Goes level by level, from the four sides in turn: going from one side only would remove a
+    /// line that is two pixels wide from its end.
+    void peel() {
+        for (std::size_t level = 0; level < queues_.size(); ++level) {
+            std::vector<std::size_t> asked = std::move(queues_[level]);
+            while (!asked.empty()) {
+                std::vector<std::size_t> again;
+                for (const std::size_t side : {2U, 6U, 0U, 4U}) {
+                    peel_side(asked, side, static_cast<int>(level), again);
+                }
+                asked = std::move(again);
+            }
+        }
+    }
+
+    [[nodiscard]] cv::Mat1b rest(cv::Size size) const {
+        cv::Mat1b kept(size);
+        for (int y = 0; y < size.height; ++y) {
+            const auto row = inside_.begin() + (y + 1) * width_ + 1;
+            std::copy(row, row + size.width, kept[y]);
+        }
+        return kept;
+    }
+
+  private:
+    void add(std::size_t p, float depth) {
+        const auto level = static_cast<std::size_t>(depth * kStepsPerPixel);
+        if (queues_.size() <= level) queues_.resize(level + 1);
+        inside_[p] = 255;
+        level_[p] = static_cast<int>(level);
+        queues_[level].push_back(p);
+    }
+
+    [[nodiscard]] std::size_t neighbour(std::size_t p, std::size_t k) const {
+        return static_cast<std::size_t>(static_cast<std::ptrdiff_t>(p) + around_[k]);
+    }
+
+    [[nodiscard]] unsigned code_of(std::size_t p) const {
+        unsigned code = 0;
+        for (std::size_t k = 0; k < 8; ++k) code |= (inside_[neighbour(p, k)] & 1U) << k;
+        return code;
+    }
+
+    /// Removes what now lies open to that side, if it may go; its neighbours are checked again.
+    void peel_side(const std::vector<std::size_t>& asked, std::size_t side, int level,
+                   std::vector<std::size_t>& again) {
+        std::vector<std::size_t> open;
+        std::ranges::copy_if(asked, std::back_inserter(open), [&](std::size_t p) {
+            return inside_[p] != 0 && inside_[neighbour(p, side)] == 0;
+        });
+        for (const std::size_t p : open) {
+            if (inside_[p] == 0 || !kRemovable[code_of(p)]) continue;
+            inside_[p] = 0;
+            for (std::size_t k = 0; k < 8; ++k) {
+                const std::size_t q = neighbour(p, k);
+                if (inside_[q] != 0 && level_[q] <= level) again.push_back(q);
+            }
+        }
+    }
+
+    int width_;  // of a row with its frame
+    std::array<int, 8> around_;
+    std::vector<unsigned char> inside_;
+    std::vector<int> level_;
+    std::vector<std::vector<std::size_t>> queues_;  // by depth
+};
 
 constexpr std::size_t kFree = std::numeric_limits<std::size_t>::max();
 constexpr double kSpurOverWidth = 0.8;
@@ -51,9 +155,7 @@ class Tracer {
             {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
         for (const auto& [x, y] : kSteps) {
             const cv::Point q(p.x + x, p.y + y);
-            if (frame_.contains(q)) {
-                visit(q);
-            }
+            if (frame_.contains(q)) visit(q);
         }
     }
 
@@ -62,9 +164,7 @@ class Tracer {
         std::vector<cv::Point> branches;
         for (int y = 0; y < thin.rows; ++y) {
             for (int x = 0; x < thin.cols; ++x) {
-                if (thin(y, x) == 0) {
-                    continue;
-                }
+                if (thin(y, x) == 0) continue;
                 pixels_.emplace_back(x, y);
                 int n = 0;
                 around({x, y}, [&](const cv::Point& q) { n += thin(q) != 0 ? 1 : 0; });
@@ -76,9 +176,7 @@ class Tracer {
             }
         }
         for (const cv::Point& seed : branches) {
-            if (node_(seed) == kUnnumbered) {
-                number_cluster(seed);
-            }
+            if (node_(seed) == kUnnumbered) number_cluster(seed);
         }
     }
 
@@ -106,9 +204,7 @@ class Tracer {
         for (const cv::Point& p : pixels_) {
             if (node_(p) >= 0) {
                 around(p, [&](const cv::Point& q) {
-                    if (left_(q) != 0) {
-                        walk(q, static_cast<std::size_t>(node_(p)));
-                    }
+                    if (left_(q) != 0) walk(q, static_cast<std::size_t>(node_(p)));
                 });
             }
         }
@@ -116,9 +212,7 @@ class Tracer {
             for (const cv::Point& p : pixels_) {
                 int n = 0;
                 around(p, [&](const cv::Point& q) { n += left_(q) != 0 ? 1 : 0; });
-                if (left_(p) != 0 && (n <= 1) == is_open) {
-                    walk(p, kFree);
-                }
+                if (left_(p) != 0 && (n <= 1) == is_open) walk(p, kFree);
             }
         }
     }
@@ -155,9 +249,7 @@ class Tracer {
     }
 
     std::size_t root(std::size_t node) const {
-        while (node != kFree && nodes_[node].merged_into != kFree) {
-            node = nodes_[node].merged_into;
-        }
+        while (node != kFree && nodes_[node].merged_into != kFree) node = nodes_[node].merged_into;
         return node;
     }
 
@@ -166,26 +258,20 @@ class Tracer {
         for (std::size_t i = 1; i < arm.pixels.size(); ++i) {
             sum += cv::norm(cv::Point2d(arm.pixels[i] - arm.pixels[i - 1]));
         }
-        if (arm.from != kFree) {
-            sum += distance(nodes_[arm.from].centre(), arm.pixels.front());
-        }
+        if (arm.from != kFree) sum += distance(nodes_[arm.from].centre(), arm.pixels.front());
         return arm.to != kFree ? sum + distance(nodes_[arm.to].centre(), arm.pixels.back()) : sum;
     }
 
     void merge_bridged() {
         for (Arm& arm : arms_) {
-            if (arm.from == kFree || arm.to == kFree) {
-                continue;
-            }
+            if (arm.from == kFree || arm.to == kFree) continue;
             const std::size_t a = root(arm.from);
             const std::size_t b = root(arm.to);
             const double width_px = nodes_[a].depth + nodes_[b].depth;
             const double limit = (a == b ? kLoopOverWidth : kBridgeOverWidth) * width_px;
             // The nodes as they are now: many short bridges in a row do not make one node.
             const bool is_far = a != b && distance(nodes_[a].centre(), nodes_[b].centre()) > limit;
-            if (length(arm) > limit || is_far) {
-                continue;
-            }
+            if (length(arm) > limit || is_far) continue;
             arm.is_dropped = true;
             if (a != b) {
                 nodes_[std::max(a, b)].merged_into = std::min(a, b);
@@ -204,9 +290,7 @@ class Tracer {
         std::vector<int> others(nodes_.size(), 0);
         for (std::size_t i = 0; i < arms_.size(); ++i) {
             const Arm& arm = arms_[i];
-            if (arm.is_dropped || (arm.from == kFree && arm.to == kFree)) {
-                continue;
-            }
+            if (arm.is_dropped || (arm.from == kFree && arm.to == kFree)) continue;
             const bool is_free = arm.from == kFree || arm.to == kFree;
             const std::size_t node = root(arm.from != kFree ? arm.from : arm.to);
             if (is_free && length(arm) < kSpurOverWidth * 2.0 * nodes_[node].depth + 0.5) {
@@ -217,9 +301,7 @@ class Tracer {
             }
         }
         for (std::size_t node = 0; node < nodes_.size(); ++node) {
-            for (const std::size_t i : spurs[node]) {
-                arms_[i].is_dropped = others[node] > 0;
-            }
+            for (const std::size_t i : spurs[node]) arms_[i].is_dropped = others[node] > 0;
         }
     }
 
@@ -227,9 +309,7 @@ class Tracer {
         Skeleton made;
         std::vector<std::vector<EndId>> ends(nodes_.size());
         for (const Arm& arm : arms_) {
-            if (arm.is_dropped) {
-                continue;
-            }
+            if (arm.is_dropped) continue;
             const std::size_t i = made.arms.size();
             made.arms.emplace_back();
             Chain& chain = made.arms.back();
@@ -238,18 +318,14 @@ class Tracer {
                 chain.points.push_back({nodes_[root(arm.from)].centre()});
                 ends[root(arm.from)].push_back(front_of(i));
             }
-            for (const cv::Point& p : arm.pixels) {
-                chain.points.push_back({cv::Point2d(p)});
-            }
+            for (const cv::Point& p : arm.pixels) chain.points.push_back({cv::Point2d(p)});
             if (arm.to != kFree) {
                 chain.points.push_back({nodes_[root(arm.to)].centre()});
                 ends[root(arm.to)].push_back(back_of(i));
             }
         }
         for (std::vector<EndId>& node : ends) {
-            if (node.size() >= 2) {
-                made.nodes.push_back(std::move(node));
-            }
+            if (node.size() >= 2) made.nodes.push_back(std::move(node));
         }
         return made;
     }
@@ -266,6 +342,12 @@ class Tracer {
 };
 
 }  // namespace
+
+cv::Mat1b thinned(const cv::Mat1b& mask, const cv::Mat1f& depth) {
+    Thinning thinning(mask, depth);
+    thinning.peel();
+    return thinning.rest(mask.size());
+}
 
 Skeleton skeleton_of(const cv::Mat1b& thin, const cv::Mat1f& depth) {
     return Tracer(thin, depth).cleaned();

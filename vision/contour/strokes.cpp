@@ -2,14 +2,13 @@
 
 #include "vision/contour/centring.h"
 #include "vision/contour/corners.h"
+#include "vision/contour/courses.h"
 #include "vision/contour/grid_lines.h"
-#include "vision/contour/hairpins.h"
 #include "vision/contour/ink_parts.h"
 #include "vision/contour/joints.h"
 #include "vision/contour/junctions.h"
-#include "vision/contour/region_borders.h"
+#include "vision/contour/rings.h"
 #include "vision/contour/skeleton.h"
-#include "vision/contour/thinning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +19,6 @@
 namespace touchline {
 namespace {
 
-constexpr double kGradientOverStep = 0.4;      // as for a step smoothed with sigma 1 px
 constexpr double kLeastLengthOverWidth = 2.5;  // with shorter arms it is a dot or a small star
 // At a corner of angle a, the middle of the ink is 0.25 (1 / sin(a / 2) - 1) widths inside it, over
 // half a width / tan(a / 2) of either side: as a blur of this many widths would move it.
@@ -47,12 +45,8 @@ double middle_width(const std::vector<Chain>& arms, const std::vector<std::size_
             depths.push_back(depth(cv::Point(cvRound(point.at.x), cvRound(point.at.y))));
         }
     }
-    if (depths.empty()) {
-        return 0.0;
-    }
-    const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
-    std::ranges::nth_element(depths, middle);
-    return std::max(1.0, 2.0 * static_cast<double>(*middle) - 1.0);
+    if (depths.empty()) return 0.0;
+    return std::max(1.0, 2.0 * static_cast<double>(median_of(std::move(depths))) - 1.0);
 }
 
 class StrokeTracer {
@@ -155,9 +149,7 @@ class StrokeTracer {
     /// Returns the borders of the shapes, where the darkness is 1: a picture of two colours, 0 and
     /// 2.
     std::vector<Chain> outlines() const {
-        if (cv::countNonZero(parts_.shapes) == 0) {
-            return {};
-        }
+        if (cv::countNonZero(parts_.shapes) == 0) return {};
         LabPicture levels(ink_.darkness.size(), cv::Vec3f(0.0F, 0.0F, 0.0F));
         cv::insertChannel(ink_.darkness, levels, 0);
         const cv::Mat1b map = cv::Mat(parts_.shapes & 1);
@@ -187,16 +179,12 @@ class StrokeTracer {
             if (ends.size() == 2) {
                 junctions.add_joint(ends[0], ends[1]);
             } else {
-                const Chain& first = lines[chain_of(ends[0])];
-                junctions.add_cluster(
-                    ends, is_back(ends[0]) ? first.points.back().at : first.points.front().at);
+                junctions.add_cluster(ends, point_at(lines, ends[0]).at);
             }
         }
         for (const SolvedJunction* known : piece.solved) {
             SolvedJunction junction = *known;
-            for (SolvedJunction::Arm& arm : junction.arms) {
-                arm.end = placed(arm.end);
-            }
+            for (SolvedJunction::Arm& arm : junction.arms) arm.end = placed(arm.end);
             for (auto& [a, b] : junction.through) {
                 a = place[a];
                 b = place[b];
@@ -205,9 +193,7 @@ class StrokeTracer {
         }
         meet_outlines(lines, strokes, is_free, junctions);
         std::vector<Chain> network = junctions.assembled(std::move(lines));
-        for (Chain& line : network) {
-            line = finished(std::move(line));
-        }
+        for (Chain& line : network) line = finished(std::move(line));
         return network;
     }
 
@@ -216,10 +202,8 @@ class StrokeTracer {
                               const std::vector<bool>& is_free, JunctionSet& junctions) {
         for (EndId end = 0; end < 2 * strokes; ++end) {
             const Chain& line = lines[chain_of(end)];
-            if (!is_free[end]) {
-                continue;
-            }
-            const cv::Point2d at = is_back(end) ? line.points.back().at : line.points.front().at;
+            if (!is_free[end]) continue;
+            const cv::Point2d at = point_at(lines, end).at;
             double nearest_px = line.width_px + 2.0;
             std::optional<PointRef> host;
             for (std::size_t c = strokes; c < lines.size(); ++c) {
@@ -231,16 +215,12 @@ class StrokeTracer {
                     }
                 }
             }
-            if (host) {
-                junctions.add_meeting(end, *host);
-            }
+            if (host) junctions.add_meeting(end, *host);
         }
     }
 
     Chain finished(Chain line) const {
-        if (line.width_px > 0.0) {
-            line = centred(line, ink_.darkness);
-        }
+        if (line.width_px > 0.0) line = centred(line, ink_.darkness);
         const double width_px = line.width_px;
         line = with_sharp_corners(line, kDrawingBlur_px + kRoundingOverWidth * width_px,
                                   [&](const cv::Point2d& at, double turn) {
@@ -253,9 +233,7 @@ class StrokeTracer {
             point.strength =
                 kGradientOverStep * static_cast<double>(ink_.contrast(pixel_at(point.at)));
         }
-        if (std::ranges::none_of(line.points, is_set)) {
-            take_strength_beside(line);
-        }
+        if (std::ranges::none_of(line.points, is_set)) take_strength_beside(line);
         return line;
     }
 
@@ -284,8 +262,7 @@ class StrokeTracer {
     }
 
     cv::Point pixel_at(const cv::Point2d& at) const {
-        return {std::clamp(cvRound(at.x), 0, ink_.mask.cols - 1),
-                std::clamp(cvRound(at.y), 0, ink_.mask.rows - 1)};
+        return touchline::pixel_at(at, ink_.mask.size());
     }
 
     const Ink& ink_;
@@ -295,25 +272,21 @@ class StrokeTracer {
 };
 
 /// Returns the contrast that all but one in fifty of the ink's pixels stay below.
-double strongest_contrast(const Ink& ink) {
+double strong_contrast(const Ink& ink) {
     std::vector<float> contrasts;
     for (int y = 0; y < ink.mask.rows; ++y) {
         for (int x = 0; x < ink.mask.cols; ++x) {
-            if (ink.mask(y, x) != 0) {
-                contrasts.push_back(ink.contrast(y, x));
-            }
+            if (ink.mask(y, x) != 0) contrasts.push_back(ink.contrast(y, x));
         }
     }
-    if (contrasts.empty()) {
-        return 0.0;
-    }
+    if (contrasts.empty()) return 0.0;
     const auto at = contrasts.begin() + static_cast<std::ptrdiff_t>(contrasts.size() * 49 / 50);
     std::ranges::nth_element(contrasts, at);
     return static_cast<double>(*at);
 }
 
 Ink without_grid(Ink ink, double greatest_width_px) {
-    const cv::Mat1b pale((ink.contrast <= kPalest * strongest_contrast(ink)) & ink.mask);
+    const cv::Mat1b pale((ink.contrast <= kPalest * strong_contrast(ink)) & ink.mask);
     const cv::Mat1b grid = grid_of(pale, greatest_width_px);
     if (!grid.empty()) {
         ink.mask.setTo(0, grid);

@@ -4,7 +4,7 @@
 
 #include "vision/contour/chain.h"
 #include "vision/contour/gradient.h"
-#include "vision/prepare/ink.h"
+#include "vision/prepare/paper.h"
 
 namespace touchline {
 
@@ -13,7 +13,7 @@ inline constexpr double kWidestStroke_mm = 3.0;
 
 /// Returns the middle line of every stroke no wider than `greatest_width_px`, with its width
 /// (width_px), and the outline of everything wider (width_px 0) and of every dot.
-/// * Strokes stand out from the paper, whatever its colour and shade (prepare/ink.h).
+/// * Strokes stand out from the paper, whatever its colour and shade (prepare/paper.h).
 /// * Sub-pixel: half-way between the two edges of the stroke.
 /// * Bumps shorter than 0.8 widths are left out. Junctions within one width are one; there the
 ///   lines share their point bit for bit, fixed, and lines that continue each other within 30

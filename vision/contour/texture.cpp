@@ -1,6 +1,6 @@
 #include "vision/contour/texture.h"
 
-#include "vision/contour/iso_rings.h"
+#include "vision/contour/rings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ namespace {
 constexpr double kCellsPerSpacing = 2.0;
 constexpr double kSmoothing_cells = 3.0;
 constexpr double kMostOfPicture = 0.5;  // more is the picture itself
-constexpr double kMostOfLine = 0.5;
+constexpr double kMostlyThere = 0.5;
 constexpr int kFewestLines = 8;
 
 class TextureMap {
@@ -28,9 +28,7 @@ class TextureMap {
         const cv::Size cells(static_cast<int>(std::ceil(picture.width / cell_px_)),
                              static_cast<int>(std::ceil(picture.height / cell_px_)));
         density_ = cv::Mat1f(cells, 0.0F);
-        for (const Chain& chain : chains) {
-            lengths_px_.push_back(length_of(chain));
-        }
+        for (const Chain& chain : chains) lengths_px_.push_back(length_of(chain));
         measure();
         find_areas();
         sort_lines();
@@ -114,21 +112,17 @@ class TextureMap {
     void sort_lines() {
         area_of_.assign(chains_.size(), 0);
         for (std::size_t c = 0; c < chains_.size(); ++c) {
-            if (!is_short(c)) {
-                continue;
-            }
+            if (!is_short(c)) continue;
             const std::vector<EdgePoint>& points = chains_[c].points;
             const int area = areas_(cell_of(points[points.size() / 2].at));
             const auto there = std::ranges::count_if(
                 points, [&](const EdgePoint& p) { return areas_(cell_of(p.at)) == area; });
-            if (static_cast<double>(there) >= kMostOfLine * static_cast<double>(points.size())) {
+            if (static_cast<double>(there) >= kMostlyThere * static_cast<double>(points.size())) {
                 area_of_[c] = area;
                 Lines& lines = lines_in_[static_cast<std::size_t>(area)];
                 ++lines.count;
                 lines.points += points.size();
-                for (const EdgePoint& p : points) {
-                    lines.strength += p.strength;
-                }
+                for (const EdgePoint& p : points) lines.strength += p.strength;
             }
         }
     }
@@ -164,9 +158,7 @@ std::vector<Chain> with_textures_outlined(std::vector<Chain> chains, cv::Size pi
     const TextureMap map(chains, picture, scale);
     std::vector<Chain> kept;
     for (std::size_t c = 0; c < chains.size(); ++c) {
-        if (!map.is_replaced(c)) {
-            kept.push_back(std::move(chains[c]));
-        }
+        if (!map.is_replaced(c)) kept.push_back(std::move(chains[c]));
     }
     std::ranges::move(map.outlines(), std::back_inserter(kept));
     return kept;

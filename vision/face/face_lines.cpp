@@ -1,5 +1,6 @@
 #include "vision/face/face_lines.h"
 
+#include "vision/contour/gradient.h"
 #include "vision/simplify/shaping.h"
 
 #include <algorithm>
@@ -121,10 +122,7 @@ Chain line_of(const FaceMesh& mesh, const Slit& slit, double closed) {
 /// Returns the grey level that this share of the levels is darker than; nothing if there are none.
 std::optional<double> level_at(std::vector<uchar> levels, double share) {
     if (levels.empty()) return std::nullopt;
-    const auto at = levels.begin() +
-                    static_cast<std::ptrdiff_t>(share * static_cast<double>(levels.size() - 1));
-    std::ranges::nth_element(levels, at);
-    return static_cast<double>(*at);
+    return static_cast<double>(quantile(std::move(levels), share));
 }
 
 /// Returns the grey levels within a ring, as far as it lies in the picture.

@@ -1,12 +1,25 @@
-// A face as a map of its own, as large as the area allows. Threads: pure function.
+// A face as a map of its own, as large as the area allows. Eyes and mouths are rings with two
+// corners, whose sides are near each other.
+// Threads: pure functions.
 #pragma once
 
 #include "config/types/tactile_map.h"
 #include "vision/face/face_lines.h"
+#include "vision/simplify/spacing.h"
 
 #include <vector>
 
 namespace touchline {
+
+/// Returns a ring in millimetres with its sides as far apart as a finger needs to find two lines:
+/// at least 3.6 mm in the middle, and as much more, up to 6 mm, as keeps it from coming too near to
+/// itself. A ring without two fixed points, or without width, stays as it is. O(points x points
+/// near).
+[[nodiscard]] Chain opened_for_finger(const Chain& ring, const SpacingScale& scale);
+
+/// Returns the line halfway between its sides, from corner to corner. A ring without two fixed
+/// points stays as it is. O(points).
+[[nodiscard]] Chain middle_of(const Chain& ring);
 
 struct FaceMap {
     TactileMap map;

@@ -1,4 +1,6 @@
-// A face as the points that a network lays on it. Threads: plain values and pure functions.
+// A face as the points that a network lays on it, and boxes of any numbers in a picture, because
+// they come from networks.
+// Threads: plain values and pure functions.
 #pragma once
 
 #include <algorithm>
@@ -31,6 +33,24 @@ using FaceMesh = std::array<cv::Point2d, 468>;
 [[nodiscard]] inline double tilt_of(const FaceMesh& mesh) {
     const cv::Point2d across = mesh[263] - mesh[33];
     return std::atan2(across.y, across.x);
+}
+
+/// Returns the part of the box that lies in the picture, pixels. Empty if there is none, if a side
+/// of the box is negative, or if its numbers are NaN.
+[[nodiscard]] inline cv::Rect2d box_within(const cv::Rect2d& box, cv::Size picture) {
+    const double left = std::max(box.x, 0.0);
+    const double top = std::max(box.y, 0.0);
+    const double right = std::min(box.x + box.width, static_cast<double>(picture.width));
+    const double bottom = std::min(box.y + box.height, static_cast<double>(picture.height));
+    if (!(right > left && bottom > top)) return {};
+    return {left, top, right - left, bottom - top};
+}
+
+/// The same in whole pixels. It rounds corners: a rounded side beside a rounded corner may end
+/// beyond the picture.
+[[nodiscard]] inline cv::Rect part_within(const cv::Rect2d& box, cv::Size picture) {
+    const cv::Rect2d within = box_within(box, picture);
+    return cv::Rect(cv::Point(within.tl()), cv::Point(within.br())) & cv::Rect({}, picture);
 }
 
 }  // namespace touchline

@@ -1,11 +1,8 @@
 #include "vision/face/face_network.h"
 
-#include "vision/face/picture_part.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include <opencv2/dnn.hpp>
@@ -13,6 +10,50 @@
 
 namespace touchline {
 namespace {
+
+constexpr std::size_t kMostBoxes = 16;
+constexpr double kLeastLikelihood = 0.5;
+constexpr double kShared = 0.3;  // of a box: then it is the same face again
+constexpr double kLeastSide_px = 4.0;
+
+cv::Point2d anchor(int row) {
+    struct Level {
+        int first, stride_px, at_each_place;
+    };
+
+    const Level level = row < 512 ? Level{0, 16, 2} : Level{512, 32, 6};
+    const int place = (row - level.first) / level.at_each_place;
+    const int across = kFaceInput_px / level.stride_px;
+    return {(place % across + 0.5) * level.stride_px, (place / across + 0.5) * level.stride_px};
+}
+
+bool is_box_of_the_input(const FaceBox& found) {
+    const cv::Rect2d& box = found.box;
+    const cv::Point2d centre = centre_of(box);
+    const cv::Rect2d input(0.0, 0.0, kFaceInput_px, kFaceInput_px);
+    const double reach_px = 1.5 * std::max(box.width, box.height);
+    return box.width >= kLeastSide_px && box.height >= kLeastSide_px &&
+           std::max(box.width, box.height) <= 1.5 * kFaceInput_px && input.contains(centre) &&
+           cv::norm(found.left_eye - centre) <= reach_px &&
+           cv::norm(found.right_eye - centre) <= reach_px && found.left_eye != found.right_eye;
+}
+
+FaceBox box_at(const cv::Mat1f& places, int row) {
+    const cv::Point2d from = anchor(row);
+    const auto point = [&](int k) {
+        return from + cv::Point2d(static_cast<double>(places(row, k)),
+                                  static_cast<double>(places(row, k + 1)));
+    };
+    const cv::Point2d size = point(2) - from;
+    const cv::Point2d corner = point(0) - 0.5 * size;
+    return {{corner.x, corner.y, size.x, size.y}, point(4), point(6), 0.0};
+}
+
+bool is_apart(const FaceBox& box, const std::vector<FaceBox>& others) {
+    return std::ranges::none_of(others, [&](const FaceBox& other) {
+        return (box.box & other.box).area() >= kShared * box.box.area();
+    });
+}
 
 constexpr int kMesh_px = 192;       // side of its input
 constexpr double kAround = 1.5;     // side of what the mesh's network sees, in sides of the face
@@ -145,6 +186,28 @@ void add_unless_there(const FaceMesh& mesh, std::vector<FaceMesh>& faces) {
 
 }  // namespace
 
+void add_apart(const std::vector<FaceBox>& more, std::vector<FaceBox>& boxes) {
+    for (const FaceBox& box : more) {
+        if (is_apart(box, boxes)) boxes.push_back(box);
+    }
+}
+
+std::vector<FaceBox> face_boxes(const cv::Mat1f& scores, const cv::Mat1f& places) {
+    std::vector<FaceBox> all;
+    for (int row = 0; row < scores.rows; ++row) {
+        const double likelihood = 1.0 / (1.0 + std::exp(-static_cast<double>(scores(row, 0))));
+        if (!(likelihood >= kLeastLikelihood)) continue;
+        FaceBox box = box_at(places, row);
+        box.likelihood = likelihood;
+        if (is_box_of_the_input(box)) all.push_back(box);
+    }
+    std::ranges::stable_sort(all, std::ranges::greater{}, &FaceBox::likelihood);
+    std::vector<FaceBox> kept;
+    add_apart(all, kept);
+    if (kept.size() > kMostBoxes) kept.resize(kMostBoxes);
+    return kept;
+}
+
 Result<FaceNetwork> FaceNetwork::from_onnx(std::span<const std::byte> finder,
                                            std::span<const std::byte> mesh) {
     auto finds = TrainedNetwork::from_onnx(finder, "finds faces");
@@ -160,9 +223,7 @@ Result<std::vector<FaceBox>> FaceNetwork::boxes_in(const cv::Mat3b& picture, cv:
     const cv::Size size(std::clamp(cvRound(scale * part.width), 1, kFaceInput_px),
                         std::clamp(cvRound(scale * part.height), 1, kFaceInput_px));
     cv::Mat3b square(kFaceInput_px, kFaceInput_px, cv::Vec3b(0, 0, 0));
-    cv::Mat3b fitted = square(cv::Rect({}, size));
-    cv::resize(picture(part), fitted, size, 0.0, 0.0,
-               scale < 1.0 ? cv::INTER_AREA : cv::INTER_LINEAR);
+    stretched(picture(part), size).copyTo(square(cv::Rect({}, size)));
     const cv::Mat input =
         cv::dnn::blobFromImage(square, 1.0 / 127.5, {}, cv::Scalar::all(127.5), true, false);
     const std::array<std::vector<int>, 4> shapes{

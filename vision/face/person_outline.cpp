@@ -1,9 +1,8 @@
 #include "vision/face/person_outline.h"
 
-#include "vision/contour/iso_rings.h"
-#include "vision/contour/sampling.h"
-#include "vision/contour/stretches.h"
-#include "vision/face/picture_part.h"
+#include "vision/contour/chain.h"
+#include "vision/contour/rings.h"
+#include "vision/face/face_mesh.h"
 
 #include <algorithm>
 #include <utility>
@@ -74,12 +73,6 @@ cv::Mat1f soft_mask(const PersonMask& person, const FaceMesh& mesh, const Workin
     const double sigma_px = std::max(1.0, kSmoothing * face_px);
     cv::GaussianBlur(soft, soft, {}, sigma_px, sigma_px, cv::BORDER_REPLICATE);
     return soft;
-}
-
-bool holds(const Chain& ring, cv::Point2d p) {
-    std::vector<cv::Point2f> points;
-    for (const EdgePoint& point : ring.points) points.emplace_back(point.at);
-    return cv::pointPolygonTest(points, p, false) > 0.0;
 }
 
 }  // namespace

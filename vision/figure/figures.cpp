@@ -1,8 +1,14 @@
 #include "vision/figure/figures.h"
 
+#include "vision/contour/chain.h"
+#include "vision/contour/gradient.h"
+#include "vision/contour/ink_parts.h"
+#include "vision/contour/rings.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include <opencv2/imgproc.hpp>
 
@@ -100,9 +106,7 @@ void clean(cv::Mat1b& mask) {
 std::vector<cv::Rect> boxes_of(const cv::Mat1b& mask) {
     const Pieces parts(mask >= kLimit);
     std::vector<int> order;
-    for (int part = 1; part < parts.count; ++part) {
-        order.push_back(part);
-    }
+    for (int part = 1; part < parts.count; ++part) order.push_back(part);
     std::ranges::stable_sort(order, std::ranges::greater{},
                              [&](int part) { return parts.area(part); });
     std::vector<cv::Rect> boxes;
@@ -131,8 +135,7 @@ int nearest_piece(const Pieces& pieces, cv::Point at, double reach_px) {
 cv::Mat along_edge(const cv::Mat& mask) {
     constexpr double kNearest = 0.013;  // of the picture's side
     constexpr double kFarthest = 0.039;
-    cv::Mat1f depth_px;
-    cv::distanceTransform(mask, depth_px, cv::DIST_L2, 5);
+    const cv::Mat1f depth_px = depth_of(mask);
     cv::Mat along = (depth_px > kNearest * mask.cols) & (depth_px <= kFarthest * mask.cols);
     return cv::countNonZero(along) > 0 ? along : mask;
 }
@@ -151,6 +154,66 @@ bool is_sure_of(const FigureSigns& signs) {
     constexpr double kLeastContrast = 0.67;
     constexpr double kLeastSeen = 0.003;
     return signs.contrast >= kLeastContrast && signs.area >= kLeastSeen;
+}
+
+constexpr float kFigureLevel = 127.5F;
+constexpr double kReach_mm = 1.5;  // the edge of a thing may lie off its mask
+constexpr double kSmoothing_px = 1.5;
+
+/// Returns the mask at the lines' size, with edges as smooth as the picture's.
+cv::Mat1f fitted(const cv::Mat1b& mask, cv::Size size) {
+    cv::Mat1f soft;
+    mask.convertTo(soft, CV_32F);
+    cv::resize(soft, soft, size, 0.0, 0.0,
+               mask.cols > size.width ? cv::INTER_AREA : cv::INTER_LINEAR);
+    cv::GaussianBlur(soft, soft, cv::Size(), 1.0);
+    return soft;
+}
+
+std::vector<Chain> rings_of(const cv::Mat1f& soft, const cv::Mat1f& strength, double reach_px,
+                            double shortest_px, double high) {
+    std::vector<Chain> rings;
+    for (const Chain& line : iso_rings(soft, kFigureLevel)) {
+        if (length_of(line) < shortest_px) continue;
+        Chain ring = resampled(line, 1.0);
+        snap(ring, strength, reach_px);
+        ring = resampled(ring, 1.0);
+        ring.of = LineOf::ring;
+        for (EdgePoint& p : ring.points) {
+            p.strength = std::max(high, static_cast<double>(strength_at(strength, p.at)));
+        }
+        rings.push_back(std::move(ring));
+    }
+    return rings;
+}
+
+/// Returns the distance of each pixel to the nearest ring.
+cv::Mat1f to_rings(const std::vector<Chain>& rings, cv::Size size) {
+    cv::Mat1b free(size, uchar{255});
+    for (const Chain& ring : rings) {
+        std::vector<cv::Point> points;
+        for (const EdgePoint& p : ring.points) {
+            points.emplace_back(cvRound(p.at.x), cvRound(p.at.y));
+        }
+        cv::polylines(free, points, ring.is_closed, cv::Scalar(0));
+    }
+    return depth_of(free);
+}
+
+enum class RingSide { on_ring, inside, outside };
+
+/// Returns the rings without the parts along the picture's frame: a thing cut by the frame has no
+/// edge there.
+std::vector<Chain> off_frame(const std::vector<Chain>& rings, cv::Size size, double shortest_px) {
+    std::vector<Chain> lines;
+    for (const Chain& ring : rings) {
+        cut_by_place(
+            ring, [&](const EdgePoint& p) { return is_on_frame(p.at, size); },
+            [&](Chain part, bool is_frame) {
+                if (!is_frame && length_of(part) >= shortest_px) lines.push_back(std::move(part));
+            });
+    }
+    return lines;
 }
 
 }  // namespace
@@ -202,6 +265,36 @@ Figures figure_at(const cv::Mat1f& likelihood, const cv::Rect& part, cv::Size pi
     const double share = things.area(thing) / static_cast<double>(lies.area());
     found.is_sure = seen.is_sure && share < kGround && !is_cut(found.boxes.front(), lies, size);
     return found;
+}
+
+PhotoLines with_figure(PhotoLines lines, const cv::Mat& picture, const cv::Mat1b& mask,
+                       double longer_side_mm) {
+    const double px_per_mm = std::max(lines.size.width, lines.size.height) / longer_side_mm;
+    const double shortest_px = kShortestLine_mm * px_per_mm;
+    cv::Mat small;
+    cv::resize(picture, small, lines.size, 0.0, 0.0, cv::INTER_AREA);
+    const cv::Mat1f strength = colour_gradient(to_lab(small), kSmoothing_px).strength;
+    const cv::Mat1f soft = fitted(mask, lines.size);
+    const std::vector<Chain> rings =
+        rings_of(soft, strength, kReach_mm * px_per_mm, shortest_px, lines.high);
+    if (rings.empty()) return lines;
+    std::vector<Chain> felt = off_frame(rings, lines.size, shortest_px);
+    const cv::Mat1f distance = to_rings(felt, lines.size);
+    const auto beside_px = static_cast<float>(kLeastApart_mm * px_per_mm);
+    const auto place_of = [&](const EdgePoint& p) {
+        const cv::Point at = pixel_at(p.at, soft.size());
+        if (distance(at) < beside_px) return RingSide::on_ring;
+        return soft(at) > kFigureLevel ? RingSide::inside : RingSide::outside;
+    };
+    const std::vector<Chain> all = std::exchange(lines.chains, std::move(felt));
+    for (const Chain& line : all) {
+        cut_by_place(line, place_of, [&](Chain part, RingSide place) {
+            if (place == RingSide::on_ring || length_of(part) < shortest_px) return;
+            if (place == RingSide::outside) part.of = LineOf::background;
+            lines.chains.push_back(std::move(part));
+        });
+    }
+    return lines;
 }
 
 }  // namespace touchline

@@ -1,6 +1,9 @@
-// Finds a photograph's main things from the likelihood that a network gives each place.
+// A photograph's main things, from the likelihood that a network gives each place; and its lines
+// with them: a ring round each, what lies in it, and what lies behind it.
 // Threads: pure functions.
 #pragma once
+
+#include "vision/contour/photo_lines.h"
 
 #include <vector>
 
@@ -39,5 +42,14 @@ struct Figures {
 /// none, cuts it, or is filled by it, as by a ground. O(pixels).
 [[nodiscard]] Figures figure_at(const cv::Mat1f& likelihood, const cv::Rect& part, cv::Size picture,
                                 cv::Point place);
+
+/// Adds to a photo's lines (of `picture`, 8-bit BGR or grey) the rings of a mask of the same
+/// proportions (128 and more: figure), each drawn onto the strongest edge within a millimetre and a
+/// half: LineOf::ring, for holes too, as strong as the strongest line, open where the picture's
+/// frame cuts the figure. Lines in the figure, 3.2 mm and more from its rings, stay as they are;
+/// lines as far outside become LineOf::background; lines along a ring go. Changes nothing if no
+/// place of the mask has 128. O(pixels).
+[[nodiscard]] PhotoLines with_figure(PhotoLines lines, const cv::Mat& picture,
+                                     const cv::Mat1b& mask, double longer_side_mm);
 
 }  // namespace touchline

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "config/types/thing_name.h"
-#include "vision/name/detections.h"
+#include "vision/name/name_network.h"
 
 #include <span>
 #include <vector>

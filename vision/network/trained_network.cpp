@@ -6,6 +6,7 @@
 
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/dnn.hpp>
+#include <opencv2/imgproc.hpp>
 
 namespace touchline {
 namespace {
@@ -92,6 +93,24 @@ Result<std::vector<cv::Mat1f>> TrainedNetwork::outputs(const cv::Mat& input,
         found.emplace_back(at->reshape(1, rows).clone());
     }
     return found;
+}
+
+Result<cv::Mat1f> TrainedNetwork::likelihoods(const cv::Mat& input, const std::vector<int>& shape) {
+    const auto found = outputs(input, {&shape, 1});
+    if (!found) return tl::unexpected(found.error());
+    if (!are_likelihoods(found->front())) return unusable("its output is no likelihood");
+    return found->front();
+}
+
+cv::Mat3b stretched(const cv::Mat3b& picture, cv::Size size) {
+    const bool shrinks = std::max(picture.cols, picture.rows) > std::max(size.width, size.height);
+    cv::Mat3b other;
+    cv::resize(picture, other, size, 0.0, 0.0, shrinks ? cv::INTER_AREA : cv::INTER_LINEAR);
+    return other;
+}
+
+bool are_likelihoods(const cv::Mat1f& values) {
+    return cv::checkRange(values, true, nullptr, 0.0, 1.0 + 1e-6);
 }
 
 }  // namespace touchline

@@ -32,6 +32,10 @@ class TrainedNetwork {
     [[nodiscard]] Result<std::vector<cv::Mat1f>> outputs(const cv::Mat& input,
                                                          std::span<const std::vector<int>> shapes);
 
+    /// The same for a network with one output: likelihoods, 0..1. Fails too if one is not.
+    [[nodiscard]] Result<cv::Mat1f> likelihoods(const cv::Mat& input,
+                                                const std::vector<int>& shape);
+
     /// Returns the error for a caller that finds the numbers of an answer wrong.
     [[nodiscard]] tl::unexpected<Error> unusable(const std::string& why) const;
 
@@ -40,5 +44,12 @@ class TrainedNetwork {
     explicit TrainedNetwork(std::unique_ptr<Run> run);
     std::unique_ptr<Run> run_;
 };
+
+/// Returns a picture at another size. Shrinking averages the pixels that become one; enlarging
+/// interpolates smoothly. O(pixels).
+[[nodiscard]] cv::Mat3b stretched(const cv::Mat3b& picture, cv::Size size);
+
+/// Returns whether all of them are likelihoods, give or take a rounding.
+[[nodiscard]] bool are_likelihoods(const cv::Mat1f& values);
 
 }  // namespace touchline

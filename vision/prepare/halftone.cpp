@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 #include <opencv2/imgproc.hpp>
 
@@ -28,9 +27,7 @@ cv::Mat1f spectrum(const cv::Mat& picture) {
     const int size = std::min({kMostCrop_px, picture.cols, picture.rows}) & ~1;
     const cv::Rect middle((picture.cols - size) / 2, (picture.rows - size) / 2, size, size);
     cv::Mat grey = picture(middle);
-    if (grey.channels() == 3) {
-        cv::cvtColor(grey, grey, cv::COLOR_BGR2GRAY);
-    }
+    if (grey.channels() == 3) cv::cvtColor(grey, grey, cv::COLOR_BGR2GRAY);
     cv::Mat1f values;
     grey.convertTo(values, CV_32F);
     values -= cv::mean(values)[0];
@@ -54,9 +51,7 @@ class Waves {
     explicit Waves(const cv::Mat1f& power) : all_(power), power_(power.clone()) {
         for (int y = 0; y < size(); ++y) {
             for (int x = 0; x < size(); ++x) {
-                if (!is_fast(of({x, y}))) {
-                    power_(y, x) = 0.0F;
-                }
+                if (!is_fast(of({x, y}))) power_(y, x) = 0.0F;
             }
         }
         whole_ = cv::sum(power_)[0];
@@ -123,9 +118,7 @@ bool are_across(const cv::Point2d& a, const cv::Point2d& b) {
 }  // namespace
 
 double dot_pitch(const cv::Mat& picture) {
-    if (std::min(picture.cols, picture.rows) < kLeastCrop_px) {
-        return 0.0;
-    }
+    if (std::min(picture.cols, picture.rows) < kLeastCrop_px) return 0.0;
     Waves waves(spectrum(picture));
     const cv::Point2d first = waves.strongest();
     double share = waves.taken(first);
@@ -141,9 +134,7 @@ double dot_pitch(const cv::Mat& picture) {
 
 cv::Mat without_dots(const cv::Mat& picture) {
     const double pitch = dot_pitch(picture);
-    if (!(pitch > 0.0)) {
-        return picture;
-    }
+    if (!(pitch > 0.0)) return picture;
     cv::Mat tones;
     cv::GaussianBlur(picture, tones, {}, kBlurOverPitch * pitch);
     return tones;

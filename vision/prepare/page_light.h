@@ -1,8 +1,7 @@
-// The picture for the search of a page: one number a pixel that is high for paper and low for dark
-// or coloured things. Threads: pure functions, O(pixels).
+// The light on a page: one number a pixel that is high for paper and low for dark or coloured
+// things, to search for it; and the page without the shade of a lamp, with all that is drawn on it.
+// Threads: pure functions, O(pixels).
 #pragma once
-
-#include <cstdint>
 
 #include <opencv2/core.hpp>
 
@@ -16,5 +15,11 @@ namespace touchline {
 
 /// Returns true if not even the brightest twentieth is bright.
 [[nodiscard]] bool is_too_dark(const cv::Mat1b& light);
+
+/// Makes paper equally bright everywhere (235 in every channel), whatever is drawn on it. The light
+/// is a second-order surface through the places that are paper (paper.h), so filled shapes keep
+/// their darkness. Dark shapes (below 0.36 of the brightest) may cover half the page; of the rest,
+/// paper must be the commonest colour. 8-bit BGR. O(pixels).
+[[nodiscard]] cv::Mat evenly_lit(const cv::Mat& bgr);
 
 }  // namespace touchline

@@ -1,9 +1,11 @@
 #include "vision/prepare/paper.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <optional>
-#include <vector>
+
+#include <opencv2/imgproc.hpp>
 
 namespace touchline {
 namespace {
@@ -45,9 +47,7 @@ Place place_at(const LabPicture& lab, int column, int row) {
         for (int i = 0; i < kSamples; ++i, ++n) {
             const int x = (column * kSamples + i) * lab.cols / (kPlaces * kSamples);
             const int y = (row * kSamples + j) * lab.rows / (kPlaces * kSamples);
-            for (int c = 0; c < 3; ++c) {
-                values[static_cast<std::size_t>(c)][n] = lab(y, x)[c];
-            }
+            for (int c = 0; c < 3; ++c) values[static_cast<std::size_t>(c)][n] = lab(y, x)[c];
         }
     }
     return {terms_at((2.0 * column + 1.0) / kPlaces - 1.0, (2.0 * row + 1.0) / kPlaces - 1.0),
@@ -96,21 +96,15 @@ std::vector<const Place*> most_agreeing(const std::vector<Place>& places) {
     std::vector<const Place*> best;
     const auto consider = [&](const std::vector<const Place*>& chosen) {
         std::vector<const Place*> agree = agreeing(places, fitted(chosen));
-        if (agree.size() > best.size()) {
-            best = std::move(agree);
-        }
+        if (agree.size() > best.size()) best = std::move(agree);
     };
-    for (std::size_t i = 0; i < places.size(); i += 5) {
-        consider({&places[i]});
-    }
+    for (std::size_t i = 0; i < places.size(); i += 5) consider({&places[i]});
     for (int i = 0; i < kTries; ++i) {
         std::vector<const Place*> chosen(Paper::kTerms);
         std::ranges::generate(chosen, random_place);
         consider(chosen);
     }
-    for (int pass = 0; pass < 3; ++pass) {
-        best = agreeing(places, fitted(best));
-    }
+    for (int pass = 0; pass < 3; ++pass) best = agreeing(places, fitted(best));
     return best;
 }
 
@@ -119,9 +113,7 @@ std::vector<const Place*> alike(const std::vector<Place>& places, const Place& a
     constexpr double kSameColour = 0.1;  // grey levels
     std::vector<const Place*> found;
     for (const Place& place : places) {
-        if (cv::norm(place.colour - as.colour) <= kSameColour) {
-            found.push_back(&place);
-        }
+        if (cv::norm(place.colour - as.colour) <= kSameColour) found.push_back(&place);
     }
     return found;
 }
@@ -162,6 +154,26 @@ Weights even_surface(const cv::Vec3f& colour) {
     return weights;
 }
 
+constexpr double kLeastContrast = 12.0;
+constexpr double kContrastOverNoise = 2.0;
+constexpr double kContrastOverInk = 0.22;  // fainter than this beside the ink is dirt and shadow
+constexpr double kInkPart = 0.002;         // this part of the picture is darker than "the ink"
+constexpr int kAround_px = 9;              // where a stroke's own darkest point is looked for
+constexpr double kSmoothing_px = 0.7;
+
+cv::Mat1f contrast_to(const LabPicture& lab, const Paper& paper) {
+    cv::Mat1f contrast(lab.size());
+    std::vector<cv::Vec3f> colours;
+    for (int row = 0; row < lab.rows; ++row) {
+        paper.fill_row(row, colours);
+        for (int column = 0; column < lab.cols; ++column) {
+            const cv::Vec3f d = lab(row, column) - colours[static_cast<std::size_t>(column)];
+            contrast(row, column) = std::sqrt(d.dot(d));
+        }
+    }
+    return contrast;
+}
+
 }  // namespace
 
 Paper::Paper(const LabPicture& lab) : size_(lab.size()) {
@@ -172,9 +184,7 @@ Paper::Paper(const LabPicture& lab) : size_(lab.size()) {
         }
     }
     weights_ = fitted(most_agreeing(places));
-    if (const auto colour = passed_by(weights_, places)) {
-        weights_ = even_surface(*colour);
-    }
+    if (const auto colour = passed_by(weights_, places)) weights_ = even_surface(*colour);
     part_ =
         static_cast<double>(agreeing(places, weights_).size()) / static_cast<double>(places.size());
 }
@@ -221,6 +231,50 @@ LabPicture evenly_lit(const LabPicture& lab, const Paper& paper) {
         }
     }
     return lit;
+}
+
+cv::Mat3f painted_over(const cv::Mat3f& picture, const cv::Mat1b& mask) {
+    cv::Mat1f apart;
+    cv::Mat1i nearest;  // the same number for all pixels with the same nearest one outside
+    cv::distanceTransform(mask, apart, nearest, cv::DIST_L2, cv::DIST_MASK_5, cv::DIST_LABEL_PIXEL);
+    std::vector<cv::Vec3f> colours(picture.total() + 1);
+    for (int y = 0; y < mask.rows; ++y) {
+        for (int x = 0; x < mask.cols; ++x) {
+            if (mask(y, x) == 0) colours[static_cast<std::size_t>(nearest(y, x))] = picture(y, x);
+        }
+    }
+    cv::Mat3f painted = picture.clone();
+    for (int y = 0; y < mask.rows; ++y) {
+        for (int x = 0; x < mask.cols; ++x) {
+            if (mask(y, x) != 0) painted(y, x) = colours[static_cast<std::size_t>(nearest(y, x))];
+        }
+    }
+    return painted;
+}
+
+double least_contrast(double noise, double strongest) {
+    return std::max({kLeastContrast, kContrastOverNoise * noise, kContrastOverInk * strongest});
+}
+
+Ink ink_of(const LabPicture& lab, double noise) {
+    LabPicture calm = lab;
+    if (noise > 1.0) {  // first: the distance of noise to the paper is never 0
+        cv::GaussianBlur(lab, calm, cv::Size(), kSmoothing_px);
+    }
+    const Paper paper(lab);
+    Ink ink;
+    ink.paper_part = paper.part();
+    ink.contrast = contrast_to(calm, paper);
+    const auto strong = static_cast<double>(quantile(ink.contrast, 1.0 - kInkPart));
+    ink.floor = least_contrast(noise, strong);
+
+    cv::Mat1f half;
+    cv::dilate(ink.contrast, half, cv::Mat::ones(kAround_px, kAround_px, CV_8U));
+    cv::blur(half, half, {kAround_px, kAround_px});
+    half = cv::max(0.5 * half, ink.floor);
+    cv::divide(ink.contrast, half, ink.darkness);
+    ink.mask = cv::Mat(ink.darkness >= 1.0F);
+    return ink;
 }
 
 }  // namespace touchline

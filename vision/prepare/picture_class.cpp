@@ -163,16 +163,9 @@ double clearness(const Ink& ink) {
             }
         }
     }
-    if (inked.empty() || bare.empty()) {
-        return 0.0;
-    }
-    const auto rank = [](std::vector<float>& values, double part) {
-        const auto at = values.begin() +
-                        static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
-        std::nth_element(values.begin(), at, values.end());
-        return static_cast<double>(*at);
-    };
-    return rank(inked, 0.5) / std::max(1.0, rank(bare, 0.9));
+    if (inked.empty() || bare.empty()) return 0.0;
+    return static_cast<double>(quantile(std::move(inked), 0.5)) /
+           std::max(1.0, static_cast<double>(quantile(std::move(bare), 0.9)));
 }
 
 void measure_ink(const LabPicture& copy, PictureFeatures& features) {

@@ -1,15 +1,11 @@
 #include "vision/prepare/sheet_edge.h"
 
 #include "vision/contour/gradient.h"
-#include "vision/prepare/painted_over.h"
 #include "vision/prepare/paper.h"
-#include "vision/prepare/punched_holes.h"
 #include "vision/prepare/sheet_sides.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <optional>
 #include <vector>
 
 #include <opencv2/imgproc.hpp>
@@ -36,9 +32,7 @@ bool is_painted(const cv::Mat& picture) {
     std::size_t asked = 0;
     for (int y = 0; y < picture.rows; y += kRowStep) {
         const cv::Vec3b* row = picture.ptr<cv::Vec3b>(y);
-        for (int x = 1; x < picture.cols; ++x, ++asked) {
-            equal += row[x] == row[x - 1] ? 1U : 0U;
-        }
+        for (int x = 1; x < picture.cols; ++x, ++asked) equal += row[x] == row[x - 1] ? 1U : 0U;
     }
     return static_cast<double>(equal) >= kMostEqual * static_cast<double>(asked);
 }
@@ -48,9 +42,7 @@ cv::Vec3f bed_beyond(const cv::Mat3f& view, const SheetEdge& edge) {
     cv::Vec3f sum;
     int count = 0;
     for (int y = 0; y < view.rows; ++y) {
-        for (int x = 0; x + 1 < edge.at(y); ++x, ++count) {
-            sum += view(y, x);
-        }
+        for (int x = 0; x + 1 < edge.at(y); ++x, ++count) sum += view(y, x);
     }
     return count == 0 ? cv::Vec3f() : sum * (1.0F / static_cast<float>(count));
 }
@@ -59,9 +51,8 @@ bool is_grey(const cv::Vec3f& colour) {
     return *std::ranges::max_element(colour.val) - *std::ranges::min_element(colour.val) <= kGrey;
 }
 
-/// Returns the picture without what is surely not paper, even if it is more even: its rim, where
-/// the bed may lie, and everything that is dark in a channel. Those get colours that are far from
-/// all others and from each other.
+/// Returns the picture without what is surely not paper: its rim, where the bed may lie, and
+/// everything that is dark in a channel.
 cv::Mat3f likely_paper(const cv::Mat3f& picture) {
     cv::Mat1f least(picture.size());
     std::ranges::transform(picture, least.begin(), [](const cv::Vec3f& p) {
@@ -74,9 +65,8 @@ cv::Mat3f likely_paper(const cv::Mat3f& picture) {
     cv::Mat3f likely = picture.clone();
     for (int y = 0; y < picture.rows; ++y) {
         for (int x = 0; x < picture.cols; ++x) {
-            if (is_rim(y, picture.rows) || is_rim(x, picture.cols) || least(y, x) < dark) {
-                likely(y, x) = cv::Vec3f::all(-1000.0F * static_cast<float>(1 + (7 * y + x) % 97));
-            }
+            if (is_rim(y, picture.rows) || is_rim(x, picture.cols) || least(y, x) < dark)
+                likely(y, x) = no_paper(x, y);
         }
     }
     return likely;
@@ -110,15 +100,11 @@ class Scan {
 
     /// Returns what does not belong to the sheet, 255; empty if everything does.
     [[nodiscard]] cv::Mat1b around() {
-        if (part_ < kLeastPaper) {
-            return {};
-        }
+        if (part_ < kLeastPaper) return {};
         find_edges();
         beyond_ = cv::Mat1b(copy_.size(), uchar{0});
         for (std::size_t side = 0; side < kSides.size(); ++side) {
-            if (edges_[side]) {
-                fill_beyond(kSides[side], *edges_[side]);
-            }
+            if (edges_[side]) fill_beyond(kSides[side], *edges_[side]);
         }
         add_corners();
         beyond_ |= punched_holes(cv::Mat(~(paper_ | beyond_)), edges_);
@@ -131,20 +117,14 @@ class Scan {
     void find_edges() {
         for (std::size_t side = 0; side < kSides.size(); ++side) {
             edges_[side] = edge_of(kSides[side].of(paper_));
-            if (edges_[side]) {
-                beds_[side] = bed_beyond(kSides[side].of(copy_), *edges_[side]);
-            }
+            if (edges_[side]) beds_[side] = bed_beyond(kSides[side].of(copy_), *edges_[side]);
         }
         const auto is_like_first = [&](std::size_t side) {
             return edges_[side] && edges_[0] && cv::norm(beds_[side] - beds_[0]) < kSameBed;
         };
-        if (is_like_first(0) && is_like_first(1) && is_like_first(2) && is_like_first(3)) {
-            return;
-        }
+        if (is_like_first(0) && is_like_first(1) && is_like_first(2) && is_like_first(3)) return;
         for (std::size_t side = 0; side < kSides.size(); ++side) {
-            if (edges_[side] && !is_grey(beds_[side])) {
-                edges_[side].reset();
-            }
+            if (edges_[side] && !is_grey(beds_[side])) edges_[side].reset();
         }
     }
 
@@ -165,9 +145,7 @@ class Scan {
         for (std::size_t side = 0; side < kSides.size(); ++side) {
             const auto& one = edges_[side];
             const auto& other = edges_[(side + 1) % kSides.size()];
-            if (one && other) {
-                add_corner(side, *one, *other);
-            }
+            if (one && other) add_corner(side, *one, *other);
         }
     }
 
@@ -183,9 +161,7 @@ class Scan {
         const cv::Rect box =
             cv::Rect(cvRound(at.x) - reach, cvRound(at.y) - reach, 2 * reach + 1, 2 * reach + 1) &
             cv::Rect({}, copy_.size());
-        if (box.empty()) {
-            return;
-        }
+        if (box.empty()) return;
         const cv::Vec3f bed = 0.5F * (beds_[side] + beds_[(side + 1) % kSides.size()]);
         cv::Mat1b is_bed(box.size());
         for (int y = 0; y < box.height; ++y) {
@@ -227,14 +203,10 @@ class Scan {
 }  // namespace
 
 cv::Mat within_sheet(const cv::Mat& picture) {
-    if (picture.type() != CV_8UC3 || is_painted(picture)) {
-        return picture;
-    }
+    if (picture.type() != CV_8UC3 || is_painted(picture)) return picture;
     Scan scan(picture);
     cv::Mat1b around = scan.around();
-    if (around.empty()) {
-        return picture;
-    }
+    if (around.empty()) return picture;
     cv::Mat paper;
     cv::resize(scan.paper_beside(around), paper, picture.size(), 0.0, 0.0, cv::INTER_LINEAR);
     paper.convertTo(paper, CV_8UC3);

@@ -1,4 +1,5 @@
-// The sides of a scan, each seen as the left one, and the straight edges of its sheet.
+// The sides of a scan, each seen as the left one, the straight edges of its sheet, and the holes
+// that a punch made beside them.
 // Threads: pure functions.
 #pragma once
 
@@ -36,5 +37,9 @@ using SheetEdges = std::array<std::optional<SheetEdge>, 4>;  // in the order of 
 /// Returns the straight edge on the left of a view that most rows agree with; `paper`: 255 where it
 /// is. The edge leans at most 10 degrees and lies within a quarter of the width. O(pixels + rows).
 [[nodiscard]] std::optional<SheetEdge> edge_of(const cv::Mat1b& paper);
+
+/// Returns 255 where holes are: two to six discs that are alike, in a row beside one side of the
+/// sheet, even about its middle. `ink`: neither paper nor beyond the sheet. O(pixels).
+[[nodiscard]] cv::Mat1b punched_holes(const cv::Mat1b& ink, const SheetEdges& edges);
 
 }  // namespace touchline

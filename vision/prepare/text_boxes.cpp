@@ -89,18 +89,10 @@ Groups lines_among(const std::vector<Mark>& letters) {
         const cv::Rect& here = letters[order[k]].box;
         const int reach = here.br().x + static_cast<int>(kGapOverHeight * tallest);
         for (std::size_t j = k + 1; j < order.size() && letters[order[j]].box.x <= reach; ++j) {
-            if (are_neighbours(here, letters[order[j]].box)) {
-                groups.unite(order[k], order[j]);
-            }
+            if (are_neighbours(here, letters[order[j]].box)) groups.unite(order[k], order[j]);
         }
     }
     return groups;
-}
-
-double middle_of(std::vector<double> values) {
-    std::ranges::nth_element(values,
-                             values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
-    return values[values.size() / 2];
 }
 
 /// Returns whether most marks stand on one straight line, whose slope is the median between marks
@@ -108,10 +100,8 @@ double middle_of(std::vector<double> values) {
 bool stand_on_base_line(const std::vector<Mark>& marks) {
     std::vector<double> heights;
     std::vector<double> slopes;
-    for (const Mark& mark : marks) {
-        heights.push_back(mark.box.height);
-    }
-    const double height = middle_of(heights);
+    for (const Mark& mark : marks) heights.push_back(mark.box.height);
+    const double height = median_of(heights);
     for (std::size_t i = 0; i < marks.size(); ++i) {
         for (std::size_t j = i + 1; j < marks.size() && slopes.size() < 4000; ++j) {
             const double run = marks[j].box.x - marks[i].box.x;
@@ -120,12 +110,10 @@ bool stand_on_base_line(const std::vector<Mark>& marks) {
             }
         }
     }
-    const double slope = slopes.empty() ? 0.0 : middle_of(slopes);
+    const double slope = slopes.empty() ? 0.0 : median_of(slopes);
     std::vector<double> bases;
-    for (const Mark& mark : marks) {
-        bases.push_back(mark.box.br().y - slope * mark.box.x);
-    }
-    const double base = middle_of(bases);
+    for (const Mark& mark : marks) bases.push_back(mark.box.br().y - slope * mark.box.x);
+    const double base = median_of(bases);
     const auto standing = std::ranges::count_if(
         bases, [&](double b) { return std::abs(b - base) <= std::max(1.01, kOffBase * height); });
     return static_cast<double>(standing) >= kOnBase * static_cast<double>(marks.size());
@@ -143,9 +131,9 @@ bool are_of_one_shape(const std::vector<Mark>& marks) {
         heights.push_back(mark.box.height);
         areas_px.push_back(mark.area_px);
     }
-    const double width = middle_of(widths);
-    const double height = middle_of(heights);
-    const double area_px = middle_of(areas_px);
+    const double width = median_of(widths);
+    const double height = median_of(heights);
+    const double area_px = median_of(areas_px);
     const auto alike = std::ranges::count_if(marks, [&](const Mark& mark) {
         return std::abs(mark.box.width - width) <= std::max(1.0, kSame * width) &&
                std::abs(mark.box.height - height) <= std::max(1.0, kSame * height) &&
@@ -179,31 +167,23 @@ PageLayout page_layout(const Ink& ink) {
         (may_be_letters(mark, page) ? letters : others).push_back(mark);
     }
     constexpr std::size_t kMostMarks = 20000;  // with more it is grain, not a page
-    if (letters.size() > kMostMarks) {
-        return {};
-    }
+    if (letters.size() > kMostMarks) return {};
     Groups groups = lines_among(letters);
     std::vector<std::vector<Mark>> rows(letters.size());
-    for (std::size_t i = 0; i < letters.size(); ++i) {
-        rows[groups.of(i)].push_back(letters[i]);
-    }
+    for (std::size_t i = 0; i < letters.size(); ++i) rows[groups.of(i)].push_back(letters[i]);
     PageLayout layout;
     for (const std::vector<Mark>& row : rows) {
         if (static_cast<int>(row.size()) >= kLeastMarks && stand_on_base_line(row) &&
             !are_of_one_shape(row)) {
             TextLine line{row.front().box, static_cast<int>(row.size())};
-            for (const Mark& mark : row) {
-                line.box |= mark.box;
-            }
+            for (const Mark& mark : row) line.box |= mark.box;
             layout.lines.push_back(line);
         } else {
             others.insert(others.end(), row.begin(), row.end());
         }
     }
     std::vector<cv::Rect> rest;
-    for (const Mark& mark : others) {
-        rest.push_back(mark.box);
-    }
+    for (const Mark& mark : others) rest.push_back(mark.box);
     std::erase_if(rest, [&](const cv::Rect& box) {
         return box.area() < kFigurePart * page.area() || std::min(box.width, box.height) < 3;
     });

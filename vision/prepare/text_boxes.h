@@ -2,7 +2,7 @@
 // Threads: pure functions.
 #pragma once
 
-#include "vision/prepare/ink.h"
+#include "vision/prepare/paper.h"
 
 #include <vector>
 

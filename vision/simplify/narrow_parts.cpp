@@ -1,9 +1,8 @@
 #include "vision/simplify/narrow_parts.h"
 
-#include "vision/contour/iso_rings.h"
 #include "vision/contour/junctions.h"
+#include "vision/contour/rings.h"
 #include "vision/contour/skeleton.h"
-#include "vision/contour/thinning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -59,9 +58,7 @@ class Raster {
     /// Takes away what is narrower than a gap, but keeps what is no deeper than a gap if asked to.
     cv::Mat opened(const cv::Mat& mask, bool keeps_shallow) const {
         const cv::Mat core = distances(mask) > radius_cells_;
-        if (cv::countNonZero(core) == 0) {
-            return cv::Mat1b(mask.size(), uchar{0});
-        }
+        if (cv::countNonZero(core) == 0) return cv::Mat1b(mask.size(), uchar{0});
         const cv::Mat1f from_core = distances(255 - core);
         const cv::Mat bold = from_core <= radius_cells_;
         const cv::Mat narrow = mask & (255 - bold);
@@ -91,9 +88,7 @@ class Raster {
                 junctions.add_joint(ends[0], ends[1]);
                 continue;
             }
-            const Chain& first = skeleton.arms[chain_of(ends[0])];
-            junctions.add_cluster(
-                ends, is_back(ends[0]) ? first.points.back().at : first.points.front().at);
+            junctions.add_cluster(ends, point_at(skeleton.arms, ends[0]).at);
         }
         return in_mm(junctions.assembled(std::move(skeleton.arms)));
     }

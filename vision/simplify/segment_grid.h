@@ -1,10 +1,12 @@
-// Segments of lines in square cells, for queries of what is near. Lengths in millimetres.
-// Threads: values; queries change nothing.
+// Segments of lines: how they cross, also on the nanometre grid of a map, and, in square cells,
+// what is near. Lengths in millimetres.
+// Threads: values and pure functions, O(1); queries change nothing.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -35,14 +37,10 @@ struct LineSegment {
     const cv::Point2d v = t.b - t.a;
     const cv::Point2d w = t.a - s.a;
     const double area = u.cross(v);
-    if (area == 0.0) {
-        return std::nullopt;
-    }
+    if (area == 0.0) return std::nullopt;
     const double along_s = w.cross(v) / area;
     const double along_t = w.cross(u) / area;
-    if (along_s < 0.0 || along_s > 1.0 || along_t < 0.0 || along_t > 1.0) {
-        return std::nullopt;
-    }
+    if (along_s < 0.0 || along_s > 1.0 || along_t < 0.0 || along_t > 1.0) return std::nullopt;
     return s.a + along_s * u;
 }
 
@@ -65,9 +63,7 @@ class SegmentGrid {
     template <class Visit>
     void near(cv::Point2d a, cv::Point2d b, double reach_mm, Visit&& visit) const {
         visit_cells(a, b, reach_mm, [&](std::size_t cell) {
-            for (const LineSegment& segment : cells_[cell]) {
-                visit(segment);
-            }
+            for (const LineSegment& segment : cells_[cell]) visit(segment);
         });
     }
 
@@ -78,9 +74,7 @@ class SegmentGrid {
         const int right = column(std::max(a.x, b.x) + reach_mm);
         for (int r = row(std::min(a.y, b.y) - reach_mm); r <= row(std::max(a.y, b.y) + reach_mm);
              ++r) {
-            for (int c = left; c <= right; ++c) {
-                visit(static_cast<std::size_t>(r * columns_ + c));
-            }
+            for (int c = left; c <= right; ++c) visit(static_cast<std::size_t>(r * columns_ + c));
         }
     }
 
@@ -97,5 +91,31 @@ class SegmentGrid {
     int rows_;
     std::vector<std::vector<LineSegment>> cells_;
 };
+
+/// A point where a map will have it: on its grid of nanometres, in whole numbers.
+struct GridPoint {
+    std::int64_t x = 0;
+    std::int64_t y = 0;
+};
+
+[[nodiscard]] inline GridPoint on_map_grid(cv::Point2d p_mm) {
+    constexpr double kNanometres = 1e6;  // per millimetre
+    return {std::llround(kNanometres * p_mm.x), std::llround(kNanometres * p_mm.y)};
+}
+
+/// Returns on which side of a b the point c lies; exact within an area of a metre.
+[[nodiscard]] inline int side_of(const GridPoint& a, const GridPoint& b, const GridPoint& c) {
+    const std::int64_t area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+    return area > 0 ? 1 : area < 0 ? -1 : 0;
+}
+
+/// Returns whether two segments cross once their points are on the grid; false if they only touch.
+[[nodiscard]] inline bool cross_on_map_grid(const LineSegment& s, const LineSegment& t) {
+    const GridPoint a = on_map_grid(s.a);
+    const GridPoint b = on_map_grid(s.b);
+    const GridPoint c = on_map_grid(t.a);
+    const GridPoint d = on_map_grid(t.b);
+    return side_of(a, b, c) * side_of(a, b, d) < 0 && side_of(c, d, a) * side_of(c, d, b) < 0;
+}
 
 }  // namespace touchline

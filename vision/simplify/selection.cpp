@@ -1,16 +1,32 @@
 #include "vision/simplify/selection.h"
 
-#include "vision/contour/finger.h"
-#include "vision/simplify/loops.h"
+#include "config/types/map_limits.h"
 #include "vision/simplify/narrow_parts.h"
 #include "vision/simplify/surroundings.h"
 #include "vision/simplify/zoom.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace touchline {
 namespace {
+
+constexpr double kLength_mm =
+    150.0;  // about once round a thing of a hand's size: longer counts little more
+constexpr double kOpen = 2.0 / 3.0;
+constexpr double kInside = 0.7;
+constexpr double kLeastStrength = 1e-6;  // of `high`: the part of a border in a zoom may have none
+
+double salience_of(const Chain& line, double outer_share, double high) {
+    double sum = 0.0;
+    for (const EdgePoint& p : line.points) sum += p.strength;
+    const double r = std::max(kLeastStrength, sum / static_cast<double>(line.points.size()) / high);
+    const double length = 1.0 - std::exp(-length_of(line) / kLength_mm);
+    const double salience = r / (1.0 + r) * length * (line.is_closed ? 1.0 : kOpen) *
+                            (kInside + (1.0 - kInside) * outer_share);
+    return std::max(MapLimits::least_weight, salience);
+}
 
 constexpr double kLargeRegion = 0.03;  // of the area
 constexpr double kOuterShare = 0.25;   // of a line whose other side looks into the picture
@@ -52,6 +68,18 @@ Chain with_own_foot(const Fit& fit, std::size_t number) {
 }
 
 }  // namespace
+
+std::vector<RankedLine> ranked(std::vector<Chain> lines, const std::vector<double>& outer_shares,
+                               double high) {
+    std::vector<RankedLine> order;
+    order.reserve(lines.size());
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const double salience = salience_of(lines[i], outer_shares[i], high);
+        order.push_back({std::move(lines[i]), salience, outer_shares[i]});
+    }
+    std::ranges::stable_sort(order, std::ranges::greater{}, &RankedLine::salience);
+    return order;
+}
 
 Selection::Selection(const DetailLimits& limits, cv::Size2d area_mm)
     : limits_(limits),
@@ -118,9 +146,7 @@ bool Selection::add_ring(const ShapingScale& scale, const Chain& ring, std::size
     for (const Narrow first : {Narrow::parts, Narrow::bays}) {
         Selection parted = *this;
         parted.add_all(narrow_as_lines(ring, limits_.gap_mm, first, scale, area_mm_), number);
-        if (worth(parted, ring) > worth(best, ring)) {
-            best = std::move(parted);
-        }
+        if (worth(parted, ring) > worth(best, ring)) best = std::move(parted);
     }
     *this = std::move(best);
     return is_too_long;
@@ -153,9 +179,7 @@ double Selection::worth(const Selection& after, const Chain& line) const {
 /// junction, may cross themselves only once they are shown; those go in parts to `open`. A
 /// candidate that only its bridges lead across itself is not shown.
 void Selection::add_parts(const Candidate& candidate, std::vector<Candidate>& open) {
-    if (!crosses_itself_in_map(candidate.line)) {
-        return;
-    }
+    if (!crosses_itself_in_map(candidate.line)) return;
     std::vector<Chain> parts = without_crossings_in_map(candidate.line);
     std::ranges::reverse(parts);  // the longest last, which is next
     for (Chain& part : parts) {
@@ -169,12 +193,8 @@ bool Selection::add_longest(const Candidate& candidate, std::size_t number,
                             std::vector<Candidate>& open) {
     std::optional<Fit> fit = spaced_.fit(candidate);
     const double length_mm = fit ? length_of(fit->line) : 0.0;
-    if (length_mm < limits_.least_stroke_mm) {
-        return true;
-    }
-    if (line_mm_ + length_mm > limits_.line_mm) {
-        return false;
-    }
+    if (length_mm < limits_.least_stroke_mm) return true;
+    if (line_mm_ + length_mm > limits_.line_mm) return false;
     if (crosses_itself_in_map(with_own_foot(*fit, strokes_.size()))) {
         add_parts(candidate, open);
         return true;
@@ -196,9 +216,7 @@ Selection selected(const std::vector<RankedLine>& order, DetailLimits limits, cv
             selection.add(order[i], i);
         }
         selection.go_on_with(limits);
-        for (; i < order.size() && !selection.is_full(); ++i) {
-            selection.add(order[i], i);
-        }
+        for (; i < order.size() && !selection.is_full(); ++i) selection.add(order[i], i);
         constexpr int kMostAttempts = 9;
         if (!selection.strokes().empty() || order.empty() || attempts == kMostAttempts) {
             return selection;

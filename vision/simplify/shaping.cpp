@@ -1,11 +1,11 @@
 #include "vision/simplify/shaping.h"
 
-#include "vision/contour/ends.h"
-#include "vision/contour/sampling.h"
+#include "vision/simplify/segment_grid.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace touchline {
 namespace {
@@ -16,11 +16,7 @@ constexpr double kLeastTurn = 40.0 * std::numbers::pi / 180.0;
 class Course {
   public:
     Course(const std::vector<EdgePoint>& points, bool is_ring)
-        : points_(points), is_ring_(is_ring), at_mm_{0.0} {
-        for (std::size_t i = 1; i < points.size(); ++i) {
-            at_mm_.push_back(at_mm_.back() + distance(points[i - 1].at, points[i].at));
-        }
-    }
+        : points_(points), is_ring_(is_ring), at_mm_(arc_lengths(points)) {}
 
     double length_mm() const { return at_mm_.back(); }
 
@@ -40,16 +36,10 @@ class Course {
 
   private:
     cv::Point2d place(double s_mm) const {
-        if (is_ring_) {
-            s_mm -= length_mm() * std::floor(s_mm / length_mm());
-        }
+        if (is_ring_) s_mm -= length_mm() * std::floor(s_mm / length_mm());
         const auto next = std::upper_bound(at_mm_.begin(), at_mm_.end(), s_mm);
-        if (next == at_mm_.begin()) {
-            return points_.front().at;
-        }
-        if (next == at_mm_.end()) {
-            return points_.back().at;
-        }
+        if (next == at_mm_.begin()) return points_.front().at;
+        if (next == at_mm_.end()) return points_.back().at;
         const auto i = static_cast<std::size_t>(next - at_mm_.begin());
         const double t = (s_mm - at_mm_[i - 1]) / (at_mm_[i] - at_mm_[i - 1]);
         return points_[i - 1].at + t * (points_[i].at - points_[i - 1].at);
@@ -68,9 +58,7 @@ std::vector<std::size_t> corners_of(const std::vector<EdgePoint>& points, bool i
     for (std::size_t i = is_ring ? 0 : 1; i + 1 < points.size(); ++i) {
         if (points[i].is_fixed) {
             const double turn = course.turn_at(i, 0.5 * least_feature_mm);
-            if (turn > kLeastTurn) {
-                found.emplace_back(turn, i);
-            }
+            if (turn > kLeastTurn) found.emplace_back(turn, i);
         }
     }
     std::ranges::stable_sort(found, std::ranges::greater{}, &std::pair<double, std::size_t>::first);
@@ -94,9 +82,7 @@ std::vector<double> gaussian(double sigma_steps) {
         weights.push_back(std::exp(-0.5 * k * k / (sigma_steps * sigma_steps)));
         sum += weights.back();
     }
-    for (double& w : weights) {
-        w /= sum;
-    }
+    for (double& w : weights) w /= sum;
     return weights;
 }
 
@@ -110,9 +96,7 @@ cv::Point2d continued(const std::vector<EdgePoint>& run, bool is_ring, int i) {
     const auto within = [&](int k) {
         return run[static_cast<std::size_t>(std::clamp(k, 0, last))].at;
     };
-    if (i < 0) {
-        return 2.0 * run.front().at - within(-i);
-    }
+    if (i < 0) return 2.0 * run.front().at - within(-i);
     return i > last ? 2.0 * run.back().at - within(2 * last - i) : within(i);
 }
 
@@ -126,9 +110,7 @@ std::vector<EdgePoint> smooth_run(const std::vector<EdgePoint>& run, bool is_rin
     // Near the ends of a short run only the ends themselves are left to average.
     const double sigma_steps = std::min(scale.tolerance_mm * n / length_mm, n / 6.0);
     std::vector<EdgePoint> smooth = even;
-    for (EdgePoint& p : smooth) {
-        p.is_fixed = false;
-    }
+    for (EdgePoint& p : smooth) p.is_fixed = false;
     if (sigma_steps >= 0.3) {
         const std::vector<double> weights = gaussian(sigma_steps);
         const int reach = static_cast<int>(weights.size()) / 2;
@@ -148,13 +130,100 @@ std::vector<EdgePoint> smooth_run(const std::vector<EdgePoint>& run, bool is_rin
     return smooth;
 }
 
+constexpr double kCrossingCell_mm = 2.0;
+constexpr int kMostCuts = 200;  // a line with more is a scribble, and the rest of it is dropped
+
+struct SelfCrossing {
+    std::size_t first = 0;   // segment that is crossed
+    std::size_t second = 0;  // later segment that crosses it
+    cv::Point2d at;
+};
+
+/// Returns where two segments, from `low` on, cross once their points are on the grid; nothing if
+/// they only touch.
+std::optional<cv::Point2d> crossing_on_grid(const LineSegment& s, const LineSegment& t,
+                                            cv::Point2d low) {
+    if (!cross_on_map_grid({s.a + low, s.b + low}, {t.a + low, t.b + low})) return std::nullopt;
+    const cv::Point2d u = s.b - s.a;
+    const cv::Point2d v = t.b - t.a;
+    const double area = u.cross(v);
+    return area == 0.0 ? nearest_on(s, t.a)
+                       : s.a + std::clamp((t.a - s.a).cross(v) / area, 0.0, 1.0) * u;
+}
+
+/// Returns where they meet, ends included.
+std::optional<cv::Point2d> meeting(const LineSegment& s, const LineSegment& t, cv::Point2d) {
+    return crossing_of(s, t);
+}
+
+using CrossingOf = std::optional<cv::Point2d> (*)(const LineSegment&, const LineSegment&,
+                                                  cv::Point2d);
+
+/// Returns the crossing that closes the shortest loop (in segments).
+std::optional<SelfCrossing> self_crossing(const Chain& line, CrossingOf crossing) {
+    const std::size_t n = line.points.size();
+    const std::size_t count = line.is_closed ? n : n - 1;
+    cv::Point2d low = line.points.front().at;
+    cv::Point2d high = low;
+    for (const EdgePoint& p : line.points) {
+        low = {std::min(low.x, p.at.x), std::min(low.y, p.at.y)};
+        high = {std::max(high.x, p.at.x), std::max(high.y, p.at.y)};
+    }
+    SegmentGrid grid({high.x - low.x, high.y - low.y}, kCrossingCell_mm);
+    std::optional<SelfCrossing> best;
+    for (std::size_t i = 0; i < count; ++i) {
+        const LineSegment here{line.points[i].at - low, line.points[(i + 1) % n].at - low, 0, i};
+        grid.near(here.a, here.b, 0.0, [&](const LineSegment& before) {
+            const std::size_t apart = i - before.index;
+            const bool is_neighbour = apart <= 1 || (line.is_closed && apart + 1 >= count);
+            const std::optional<cv::Point2d> at =
+                is_neighbour ? std::nullopt : crossing(before, here, low);
+            if (at && (!best || apart < best->second - best->first)) {
+                best = {before.index, i, *at + low};
+            }
+        });
+        grid.add(here);
+    }
+    return best;
+}
+
+std::vector<Chain> taken_apart(const Chain& line, double least_mm, CrossingOf crossing) {
+    std::vector<Chain> parts;
+    std::vector<Chain> open{line};
+    int cuts = 0;
+    while (!open.empty()) {
+        Chain part = std::move(open.back());
+        open.pop_back();
+        const std::optional<SelfCrossing> found =
+            part.points.size() < 4 ? std::nullopt : self_crossing(part, crossing);
+        if (!found) {
+            parts.push_back(std::move(part));
+            continue;
+        }
+        if (++cuts > kMostCuts) continue;
+        const auto first = part.points.begin() + static_cast<std::ptrdiff_t>(found->first) + 1;
+        const auto second = part.points.begin() + static_cast<std::ptrdiff_t>(found->second) + 1;
+        const EdgePoint at{found->at, first->strength, true};
+        Chain loop{{at}, true, part.width_px};
+        loop.points.insert(loop.points.end(), first, second);
+        Chain rest{{part.points.begin(), first}, part.is_closed, part.width_px};
+        rest.points.push_back(at);
+        rest.points.insert(rest.points.end(), second, part.points.end());
+        for (Chain* piece : {&loop, &rest}) {
+            if (length_of(*piece) >= least_mm && piece->points.size() > 1) {
+                open.push_back(std::move(*piece));
+            }
+        }
+    }
+    std::ranges::stable_sort(parts, std::ranges::greater{}, length_of);
+    return parts;
+}
+
 }  // namespace
 
 Chain shaped(const Chain& line, const ShapingScale& scale) {
     std::vector<EdgePoint> points = line.points;
-    if (line.is_closed) {
-        points.push_back(points.front());
-    }
+    if (line.is_closed) points.push_back(points.front());
     std::vector<std::size_t> cuts = corners_of(points, line.is_closed, scale.least_feature_mm);
     Chain result{{}, line.is_closed, line.width_px};
     if (line.is_closed && cuts.empty()) {
@@ -164,30 +233,36 @@ Chain shaped(const Chain& line, const ShapingScale& scale) {
     }
     if (line.is_closed) {  // begin and end at the first corner
         points.pop_back();
-        std::ranges::rotate(points, points.begin() + static_cast<std::ptrdiff_t>(cuts.front()));
+        begin_at(cuts.front(), points);
         points.push_back(points.front());
         const std::size_t first = cuts.front();
         cuts.erase(cuts.begin());
-        for (std::size_t& cut : cuts) {
-            cut -= first;
-        }
+        for (std::size_t& cut : cuts) cut -= first;
     }
     cuts.push_back(points.size() - 1);
     std::size_t from = 0;
     for (const std::size_t to : cuts) {
-        const std::vector<EdgePoint> run(points.begin() + static_cast<std::ptrdiff_t>(from),
-                                         points.begin() + static_cast<std::ptrdiff_t>(to) + 1);
-        std::vector<EdgePoint> smooth = smooth_run(run, false, scale);
+        std::vector<EdgePoint> smooth = smooth_run(part_of(points, from, to + 1), false, scale);
         smooth.front().is_fixed = true;
         smooth.back().is_fixed = true;
         result.points.insert(result.points.end(), smooth.begin() + (from == 0 ? 0 : 1),
                              smooth.end());
         from = to;
     }
-    if (line.is_closed) {
-        result.points.pop_back();
-    }
+    if (line.is_closed) result.points.pop_back();
     return result;
+}
+
+std::vector<Chain> without_self_crossings(const Chain& line, double least_mm) {
+    return taken_apart(line, least_mm, meeting);
+}
+
+bool crosses_itself_in_map(const Chain& line) {
+    return line.points.size() > 3 && self_crossing(line, crossing_on_grid);
+}
+
+std::vector<Chain> without_crossings_in_map(const Chain& line) {
+    return taken_apart(line, 0.0, crossing_on_grid);
 }
 
 }  // namespace touchline

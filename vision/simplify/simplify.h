@@ -1,8 +1,11 @@
-// Turns the lines of a picture into outlines that a hand can follow, at one of five details.
+// Turns the lines of a picture into outlines that a hand can follow, at one of five details, and
+// finds words for them.
 //
 // in the zoom -> breaks closed -> ranked, a frame last -> each, the most salient first: smoothed
 // at the detail's scale, loops cut off, kept a gap away from what is there -> until the detail's
 // strokes or length are used up -> TactileMap
+//
+// Threads: pure functions.
 #pragma once
 
 #include "config/types/tactile_map.h"
@@ -11,6 +14,7 @@
 #include "vision/simplify/zoom.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace touchline {
@@ -59,5 +63,23 @@ struct Simplified {
 /// comes near to itself everywhere, some tens.
 [[nodiscard]] Simplified simplified(const PictureLines& lines, const Area& area, int detail,
                                     const Zoom& zoom = {});
+
+/// Returns where the middle of an outline's extent lies, in thirds of the area: "upper left",
+/// "top", "upper right", "left", "middle", "right", "lower left", "bottom", "lower right".
+/// O(points).
+[[nodiscard]] std::string_view place_of(const Outline& outline, const Area& area);
+
+/// Labels all outlines by kind and place: "closed line, upper left"; the second of a kind and place
+/// is "closed line 2, upper left". `of`: what each one shows.
+void label_by_place(TactileMap& map, const std::vector<LineOf>& of);
+
+/// Returns how hard the map is to take in, by the strokes and the length of line that a detail
+/// allows.
+[[nodiscard]] Complexity complexity_of(int parts, double line_mm, const Area& area);
+
+/// Returns sentences of at most 15 words: how many parts, how long, how hard, where the largest is,
+/// and what helps if lines were left out.
+[[nodiscard]] std::string words_for(const TactileMap& map, const SimplifyReport& report,
+                                    int detail);
 
 }  // namespace touchline

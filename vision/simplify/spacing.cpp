@@ -1,12 +1,11 @@
 #include "vision/simplify/spacing.h"
 
-#include "vision/contour/finger.h"
-#include "vision/simplify/breaks.h"
-#include "vision/simplify/map_grid.h"
+#include "vision/contour/rings.h"
+#include "vision/simplify/surroundings.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
-#include <numeric>
 #include <set>
 #include <utility>
 
@@ -14,6 +13,56 @@
 
 namespace touchline {
 namespace {
+
+constexpr double kApartAlong = 4.0;    // gaps: nearer along the line is a bend, not two lines
+constexpr double kHairpinAlong = 2.0;  // gaps: further may be there and back on parallel ways
+constexpr double kParallel = 0.985;    // cosine of 10 degrees
+constexpr double kStraight_mm = 0.5;   // the way along two straight sides minus that by the corner
+
+/// Returns whether a segment leads back along another.
+bool leads_back(cv::Point2d way, const LineSegment& other) {
+    const cv::Point2d along = other.b - other.a;
+    return way.dot(along) < -kParallel * cv::norm(way) * cv::norm(along);
+}
+
+/// Finds places that lie on the two straight sides of one corner, which may be as sharp as it is
+/// drawn.
+class Corners {
+  public:
+    /// `around_mm` is a ring's length; 0 for an open line.
+    Corners(const std::vector<EdgePoint>& points, const std::vector<double>& at_mm,
+            double around_mm)
+        : points_(points), at_mm_(at_mm), around_mm_(around_mm) {
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (points[i].is_fixed) corners_.push_back(i);
+        }
+    }
+
+    /// Returns whether the way from one point to another is straight except for one corner.
+    [[nodiscard]] bool is_round_one(std::size_t from, std::size_t to) const {
+        return std::ranges::any_of(corners_, [&](std::size_t corner) {
+            const double straight_mm = distance(points_[from].at, points_[corner].at) +
+                                       distance(points_[corner].at, points_[to].at);
+            return way_mm(from, corner, to) - straight_mm < kStraight_mm;
+        });
+    }
+
+  private:
+    /// Returns the way along the line from the one point past the corner to the other; infinite if
+    /// the corner lies elsewhere.
+    [[nodiscard]] double way_mm(std::size_t from, std::size_t corner, std::size_t to) const {
+        const auto [low, high] = std::minmax(at_mm_[from], at_mm_[to]);
+        const double between_mm = high - low;
+        const bool is_between = at_mm_[corner] >= low && at_mm_[corner] <= high;
+        if (is_between) return between_mm;
+        return around_mm_ > 0.0 ? around_mm_ - between_mm : std::numeric_limits<double>::infinity();
+    }
+
+    const std::vector<EdgePoint>& points_;
+    const std::vector<double>& at_mm_;
+    double around_mm_;
+    std::vector<std::size_t> corners_;
+};
 
 constexpr double kOpening_mm = 2.5;  // on each side of a crossing
 constexpr double kSamePlace_mm = 1e-9;
@@ -26,15 +75,69 @@ void sort_along(const std::vector<EdgePoint>& line, std::vector<LineFoot>& feet)
     });
 }
 
-bool holds(const Chain& ring, cv::Point2d p) {
-    std::vector<cv::Point2f> points;
-    for (const EdgePoint& point : ring.points) {
-        points.emplace_back(point.at);
-    }
-    return cv::pointPolygonTest(points, p, false) > 0.0;
+}  // namespace
+
+LineSegment segment_of(const Chain& line, std::size_t i, std::size_t number) {
+    return {line.points[i].at, line.points[(i + 1) % line.points.size()].at, number, i};
 }
 
-}  // namespace
+std::size_t segments_of(const Chain& line) {
+    return line.points.size() - (line.is_closed ? 0 : 1);
+}
+
+OwnStretch clear_of_itself(const std::vector<EdgePoint>& points, std::size_t first,
+                           std::size_t last, const SpacingScale& scale) {
+    SegmentGrid own(scale.area_mm, 0.5 * scale.gap_mm);
+    const std::vector<double> at_mm = arc_lengths(points);
+    const Corners corners(points, at_mm, 0.0);
+    for (std::size_t i = first + 1; i <= last; ++i) {
+        const cv::Point2d p = points[i].at;
+        double least_mm = scale.clearance_mm();
+        std::optional<OwnStretch::Foot> foot;
+        bool is_hairpin = false;
+        own.near(p, p, scale.clearance_mm(), [&](const LineSegment& before) {
+            const cv::Point2d on = nearest_on(before, p);
+            const double apart_mm = distance(on, p);
+            const double along_mm = at_mm[i] - at_mm[before.index + 1];
+            if (along_mm > kApartAlong * scale.gap_mm - 2.0 * scale.step_mm &&
+                apart_mm < least_mm && !corners.is_round_one(before.index, i)) {
+                least_mm = apart_mm;
+                foot = {on, before.index};
+            }
+            is_hairpin =
+                is_hairpin || (along_mm > kHairpinAlong * scale.gap_mm && apart_mm < scale.gap_mm &&
+                               leads_back(p - points[i - 1].at, before));
+        });
+        if (foot || is_hairpin) return {first, i - 1, at_mm[i - 1] - at_mm[first], foot};
+        own.add({points[i - 1].at, p, 0, i - 1});
+    }
+    return {first, last, at_mm[last] - at_mm[first], std::nullopt};
+}
+
+std::optional<std::size_t> too_near_itself(const Chain& ring, const SpacingScale& scale) {
+    SegmentGrid own(scale.area_mm, 0.5 * scale.gap_mm);
+    for (std::size_t i = 0; i < segments_of(ring); ++i) own.add(segment_of(ring, i, 0));
+    const std::vector<double> at_mm = arc_lengths(ring.points);
+    const double around_mm = length_of(ring);
+    const Corners corners(ring.points, at_mm, around_mm);
+    for (std::size_t i = 0; i < ring.points.size(); ++i) {
+        const cv::Point2d p = ring.points[i].at;
+        bool is_near = false;
+        own.near(p, p, scale.clearance_mm(), [&](const LineSegment& other) {
+            const double there_mm = std::abs(at_mm[i] - at_mm[other.index]);
+            const double along_mm = std::min(there_mm, around_mm - there_mm);
+            const double apart_mm = distance(nearest_on(other, p), p);
+            const cv::Point2d way = ring.points[(i + 1) % ring.points.size()].at - p;
+            is_near = is_near ||
+                      (along_mm > kApartAlong * scale.gap_mm - 2.0 * scale.step_mm &&
+                       apart_mm < scale.clearance_mm() && !corners.is_round_one(other.index, i)) ||
+                      (along_mm > kHairpinAlong * scale.gap_mm && apart_mm < scale.gap_mm &&
+                       leads_back(way, other));
+        });
+        if (is_near) return i;
+    }
+    return std::nullopt;
+}
 
 SpacedLines::SpacedLines(cv::Size2d area_mm, double gap_mm, double step_mm)
     : scale_{area_mm, gap_mm, step_mm}, grid_(area_mm, 0.5 * gap_mm) {}
@@ -65,9 +168,7 @@ std::optional<OwnStretch> SpacedLines::longest(const std::vector<EdgePoint>& poi
         }
         for (std::size_t from = first; from < last;) {
             const OwnStretch stretch = clear_of_itself(points, from, last, scale_);
-            if (!best || stretch.length_mm > best->length_mm) {
-                best = stretch;
-            }
+            if (!best || stretch.length_mm > best->length_mm) best = stretch;
             from = stretch.last + 1;
         }
         first = last + 1;
@@ -104,7 +205,7 @@ std::optional<Candidate> SpacedLines::opened(const Chain& ring) const {
     if (blocked != points.end() && !stands_beside(ring)) {
         std::ranges::rotate(points, blocked);
     } else if (const auto own = too_near_itself(ring, scale_)) {
-        std::ranges::rotate(points, points.begin() + static_cast<std::ptrdiff_t>(*own));
+        begin_at(*own, points);
     } else {
         return std::nullopt;
     }
@@ -121,15 +222,11 @@ bool SpacedLines::crosses_on(const std::vector<EdgePoint>& points, std::size_t f
     const auto end = step > 0 ? points.size() - 1 : std::size_t{0};
     for (std::size_t i = from; i != end; i += static_cast<std::size_t>(step)) {
         const LineSegment piece{points[i].at, points[i + static_cast<std::size_t>(step)].at, 0, 0};
-        if (is_crossed) {
-            after_mm += distance(piece.a, piece.b);
-        }
+        if (is_crossed) after_mm += distance(piece.a, piece.b);
         grid_.near(piece.a, piece.b, 0.0, [&](const LineSegment& other) {
             is_crossed = is_crossed || crossing_of(piece, other).has_value();
         });
-        if (!nearest(piece.b, scale_.clearance_mm())) {
-            return is_crossed;
-        }
+        if (!nearest(piece.b, scale_.clearance_mm())) return is_crossed;
     }
     return is_crossed && after_mm > kSmallBreak_mm;
 }
@@ -142,15 +239,11 @@ bool SpacedLines::append(cv::Point2d to, std::vector<EdgePoint>& line) const {
     const LineSegment beginning{from.at, inner.a, 0, 0};
     for (std::size_t i = 1; i < line.size(); ++i) {
         const LineSegment piece{line[i - 1].at, line[i].at, 0, 0};
-        if (crossing_of(piece, inner)) {
-            return false;
-        }
+        if (crossing_of(piece, inner)) return false;
         // All segments except the last, from which it goes on, must be clear of its first step as
         // well.
         const auto at = i + 1 < line.size() ? crossing_of(piece, beginning) : std::nullopt;
-        if (at && distance(*at, from.at) > kSamePlace_mm) {
-            return false;
-        }
+        if (at && distance(*at, from.at) > kSamePlace_mm) return false;
     }
     const int parts = std::max(1, static_cast<int>(std::ceil(cv::norm(way) / scale_.step_mm)));
     for (int k = 1; k < parts; ++k) {
@@ -165,9 +258,7 @@ bool SpacedLines::append(cv::Point2d to, std::vector<EdgePoint>& line) const {
 std::vector<LineSegment> SpacedLines::pieces(const LineSegment& segment, const Fit& fit) const {
     std::vector<LineFoot> feet = feet_[segment.line];
     for (const std::optional<LineFoot>& foot : {fit.front, fit.back}) {
-        if (foot && foot->line == segment.line) {
-            feet.push_back(*foot);
-        }
+        if (foot && foot->line == segment.line) feet.push_back(*foot);
     }
     std::erase_if(feet, [&](const LineFoot& foot) { return foot.index != segment.index; });
     sort_along(lines_[segment.line].points, feet);
@@ -224,9 +315,7 @@ void SpacedLines::bridge(const std::vector<EdgePoint>& points, std::size_t at, i
     const bool is_line_end = at == (step > 0 ? points.size() - 1 : 0);
     const EdgePoint from = points[at];
     const std::optional<Near> near = nearest(from.at, scale_.clearance_mm() + 2.0 * scale_.step_mm);
-    if (is_line_end || !near) {
-        return;
-    }
+    if (is_line_end || !near) return;
     const bool is_opened = crosses_on(points, at, step);
     std::size_t beyond = at + static_cast<std::size_t>(step);
     while (beyond != (step > 0 ? points.size() - 1 : 0) &&
@@ -241,16 +330,10 @@ void SpacedLines::bridge(const std::vector<EdgePoint>& points, std::size_t at, i
         is_opened ? near->foot.at + (from.at - near->foot.at) * (kOpening_mm / near->distance_mm)
                   : near->foot.at;
     std::vector<EdgePoint>& line = fit.line.points;
-    if (step < 0) {
-        std::ranges::reverse(line);
-    }
+    if (step < 0) std::ranges::reverse(line);
     const bool is_led = append(to, line);
-    if (step < 0) {
-        std::ranges::reverse(line);
-    }
-    if (!is_led) {
-        return;
-    }
+    if (step < 0) std::ranges::reverse(line);
+    if (!is_led) return;
     if (is_opened) {
         ++fit.crossings_opened;
     } else {
@@ -266,9 +349,7 @@ std::optional<Fit> SpacedLines::fit(const Candidate& candidate) const {
     }
     const std::vector<EdgePoint>& points = chain.points;
     const std::optional<OwnStretch> best = longest(points);
-    if (!best) {
-        return std::nullopt;
-    }
+    if (!best) return std::nullopt;
     const auto at = [&](std::size_t i) { return points.begin() + static_cast<std::ptrdiff_t>(i); };
     Fit fit{{{at(best->first), at(best->last) + 1}, false, chain.width_px}, {}, {}, 0, {}};
     if (best->foot && append(best->foot->at, fit.line.points)) {
@@ -296,9 +377,7 @@ void SpacedLines::add(Fit fit) {
     lines_.push_back(std::move(fit.line));
     feet_.emplace_back();
     for (const std::optional<LineFoot>& foot : {fit.front, fit.back}) {
-        if (foot) {
-            feet_[foot->line].push_back(*foot);
-        }
+        if (foot) feet_[foot->line].push_back(*foot);
     }
 }
 

@@ -1,13 +1,55 @@
 #include "vision/simplify/surroundings.h"
 
+#include "vision/contour/ink_parts.h"
+#include "vision/contour/junctions.h"
+#include "vision/contour/rings.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+#include <utility>
 
 #include <opencv2/imgproc.hpp>
 
 namespace touchline {
 namespace {
+
+constexpr double kMostBend = 70.0 * std::numbers::pi / 180.0;
+constexpr double kSkip_mm = 0.5;  // the last points of a line are its worst
+constexpr double kSpan_mm = 4.0;
+
+struct FreeEnd {
+    EndId id = 0;
+    cv::Point2d at;
+    cv::Point2d outward;
+};
+
+struct Join {
+    EndId a = 0;
+    EndId b = 0;
+    double cost = 0.0;
+};
+
+std::vector<FreeEnd> free_ends(const std::vector<Chain>& lines) {
+    std::map<Place, int> uses;
+    for (const Chain& line : lines) {
+        for (const EdgePoint& p : line.points) ++uses[place_of(p.at)];
+    }
+    std::vector<FreeEnd> ends;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        for (const EndId id : {front_of(i), back_of(i)}) {
+            const cv::Point2d at = point_at(lines, id).at;
+            if (!lines[i].is_closed && uses[place_of(at)] == 1) {
+                ends.push_back(
+                    {id, at, ray_at(lines[i].points, is_back(id), kSkip_mm, kSpan_mm).direction});
+            }
+        }
+    }
+    return ends;
+}
 
 constexpr double kCell_mm = 0.5;
 constexpr double kDisc_mm = 0.75;       // radius
@@ -24,13 +66,9 @@ cv::Mat1b free_cells(const std::vector<Chain>& lines, cv::Size2d area_mm) {
     const cv::Point far = cell_of({area_mm.width, area_mm.height});
     cv::Mat1b cells(far.y + kRim + 1, far.x + kRim + 1, uchar{255});
     for (const Chain& line : lines) {
-        if (length_of(line) < kLeastWall_mm) {
-            continue;
-        }
+        if (length_of(line) < kLeastWall_mm) continue;
         std::vector<cv::Point> points;
-        for (const EdgePoint& p : line.points) {
-            points.push_back(cell_of(p.at));
-        }
+        for (const EdgePoint& p : line.points) points.push_back(cell_of(p.at));
         cv::polylines(cells, points, line.is_closed, cv::Scalar(0), 1, cv::LINE_8);
     }
     return cells;
@@ -60,15 +98,120 @@ int sides_near(const Chain& line, const cv::Rect2d& picture_mm, double reach_mm)
     return sides;
 }
 
+/// The lines cut where others end on them, and which of the ends were one line before.
+struct Arms {
+    std::vector<Chain> chains;
+    std::map<Place, std::vector<EndId>> meeting;  // of open ones
+    std::map<Place, std::vector<std::pair<EndId, EndId>>> through;
+};
+
+std::set<Place> ends_of(const std::vector<Chain>& lines) {
+    std::set<Place> ends;
+    for (const Chain& line : lines) {
+        if (!line.is_closed) {
+            ends.insert(place_of(line.points.front().at));
+            ends.insert(place_of(line.points.back().at));
+        }
+    }
+    return ends;
+}
+
+/// Cuts one line into arms: from junction to junction.
+void cut(Chain line, const std::set<Place>& junctions, Arms& arms) {
+    const auto is_junction = [&](const EdgePoint& p) { return junctions.contains(place_of(p.at)); };
+    if (line.is_closed) {
+        const auto first = std::ranges::find_if(line.points, is_junction);
+        if (first == line.points.end()) {
+            arms.chains.push_back(std::move(line));
+            return;
+        }
+        std::ranges::rotate(line.points, first);
+        line.points.push_back(line.points.front());
+    }
+    const std::size_t before = arms.chains.size();
+    std::vector<EdgePoint> points{line.points.front()};
+    for (std::size_t i = 1; i < line.points.size(); ++i) {
+        points.push_back(line.points[i]);
+        if (i + 1 == line.points.size() || is_junction(points.back())) {
+            arms.chains.push_back(
+                {std::exchange(points, {points.back()}), false, line.width_px, line.of});
+        }
+    }
+    for (std::size_t arm = before; arm < arms.chains.size(); ++arm) {
+        arms.meeting[place_of(arms.chains[arm].points.front().at)].push_back(front_of(arm));
+        arms.meeting[place_of(arms.chains[arm].points.back().at)].push_back(back_of(arm));
+        const bool is_last = arm + 1 == arms.chains.size();
+        if (!is_last || line.is_closed) {
+            const EndId next = front_of(is_last ? before : arm + 1);
+            arms.through[place_of(arms.chains[arm].points.back().at)].emplace_back(back_of(arm),
+                                                                                   next);
+        }
+    }
+}
+
+enum class Side { inside, round_a_thing, outside };
+
+Side side_of(const Chain& line, const Outside& outside) {
+    constexpr double kMostly = 0.5;
+    if (outside.share_of(line) <= kMostly) return Side::inside;
+    return outside.share_on_both_sides(line) > kMostly ? Side::outside : Side::round_a_thing;
+}
+
+/// Returns the two ends that go round a thing at a junction where everything else lies within it;
+/// or none.
+std::vector<EndId> round_at(const std::vector<EndId>& meeting, const std::vector<Side>& sides) {
+    std::vector<EndId> round;
+    for (const EndId end : meeting) {
+        const Side side = sides[chain_of(end)];
+        if (side == Side::outside) return {};
+        if (side == Side::round_a_thing) round.push_back(end);
+    }
+    return round.size() == 2 ? round : std::vector<EndId>();
+}
+
 }  // namespace
 
+std::vector<Chain> with_breaks_closed(std::vector<Chain> lines, double reach_mm) {
+    std::vector<FreeEnd> ends = free_ends(lines);
+    std::ranges::stable_sort(ends, {}, [](const FreeEnd& e) { return e.at.x; });
+    std::vector<Join> joins;
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+        for (std::size_t k = i + 1; k < ends.size() && ends[k].at.x - ends[i].at.x < reach_mm;
+             ++k) {
+            const cv::Point2d across = ends[k].at - ends[i].at;
+            const double apart_mm = cv::norm(across);
+            const bool is_own = chain_of(ends[i].id) == chain_of(ends[k].id);
+            if (apart_mm >= reach_mm ||
+                (is_own && length_of(lines[chain_of(ends[i].id)]) < 4.0 * apart_mm)) {
+                continue;
+            }
+            const bool is_touching = apart_mm < 0.25 * reach_mm;
+            const double bend_i = is_touching ? 0.0 : angle_between(ends[i].outward, across);
+            const double bend_k = is_touching ? 0.0 : angle_between(ends[k].outward, -across);
+            if (std::max(bend_i, bend_k) < kMostBend) {
+                joins.push_back({ends[i].id, ends[k].id, apart_mm * (1.0 + bend_i + bend_k)});
+            }
+        }
+    }
+    std::ranges::stable_sort(joins, {}, &Join::cost);
+    std::vector<bool> is_taken(2 * lines.size(), false);
+    JunctionSet set(kSkip_mm, kSpan_mm);
+    bool is_any = false;
+    for (const Join& join : joins) {
+        if (!is_taken[join.a] && !is_taken[join.b]) {
+            is_taken[join.a] = is_taken[join.b] = true;
+            set.add_joint(join.a, join.b);
+            is_any = true;
+        }
+    }
+    return is_any ? set.assembled(std::move(lines)) : lines;
+}
+
 Outside::Outside(const std::vector<Chain>& lines, cv::Size2d area_mm) {
-    cv::Mat1f to_line;
-    cv::distanceTransform(free_cells(lines, area_mm), to_line, cv::DIST_L2, 5);
-    cv::Mat passable = to_line > kDisc_mm / kCell_mm;
+    cv::Mat passable = depth_of(free_cells(lines, area_mm)) > kDisc_mm / kCell_mm;
     constexpr uchar kOutside = 128;
     cv::floodFill(passable, cv::Point(0, 0), cv::Scalar(kOutside), nullptr, {}, {}, 8);
-    cv::distanceTransform(passable != kOutside, to_outside_, cv::DIST_L2, 5);
+    to_outside_ = depth_of(passable != kOutside);
 }
 
 double Outside::share_of(const Chain& line) const {
@@ -126,11 +269,24 @@ bool is_met(const Chain& line, const std::vector<Chain>& others) {
 }
 
 double held_area(const Chain& line) {
-    double twice = 0.0;
-    for (std::size_t i = 0; line.is_closed && i < line.points.size(); ++i) {
-        twice += line.points[i].at.cross(line.points[(i + 1) % line.points.size()].at);
+    return line.is_closed ? std::abs(area_within(line)) : 0.0;
+}
+
+std::vector<Chain> with_silhouettes_joined(std::vector<Chain> lines, const Outside& outside) {
+    const std::set<Place> junctions = ends_of(lines);
+    Arms arms;
+    for (Chain& line : lines) cut(std::move(line), junctions, arms);
+    std::vector<Side> sides;
+    for (const Chain& arm : arms.chains) sides.push_back(side_of(arm, outside));
+    JunctionSet set(0.0, 0.0);
+    for (const auto& [place, meeting] : arms.meeting) {
+        const std::vector<EndId> round = round_at(meeting, sides);
+        if (!round.empty()) set.add_joint(round[0], round[1]);
+        for (const auto& [a, b] : arms.through[place]) {
+            if (!std::ranges::count(round, a) && !std::ranges::count(round, b)) set.add_joint(a, b);
+        }
     }
-    return 0.5 * std::abs(twice);
+    return set.assembled(std::move(arms.chains));
 }
 
 }  // namespace touchline

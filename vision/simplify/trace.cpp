@@ -1,21 +1,141 @@
 #include "vision/simplify/trace.h"
 
+#include "vision/contour/chain.h"
+#include "vision/contour/dashes.h"
+#include "vision/contour/edge_lines.h"
 #include "vision/contour/gradient.h"
+#include "vision/contour/main_shape.h"
+#include "vision/contour/regions.h"
+#include "vision/contour/strokes.h"
+#include "vision/figure/figures.h"
 #include "vision/prepare/halftone.h"
+#include "vision/prepare/paper.h"
 #include "vision/prepare/sheet_edge.h"
-#include "vision/simplify/class_lines.h"
-#include "vision/simplify/placement.h"
+#include "vision/prepare/text_boxes.h"
+#include "vision/simplify/zoom.h"
 
 #include <algorithm>
 #include <cmath>
 #include <exception>
 #include <new>
 #include <utility>
+#include <vector>
 
 namespace touchline {
 namespace {
 
-constexpr double kClassPixels = 1e6;
+struct ClassLines {
+    PictureClass picture_class = PictureClass::photo;  // the class whose way found them
+    PhotoLines found;
+};
+
+Chain box_around(const cv::Rect& box) {
+    constexpr double kStrength = 1.0;
+    const cv::Point2d low(box.x - 0.5, box.y - 0.5);
+    const cv::Point2d high = low + cv::Point2d(box.width, box.height);
+    return {{{low, kStrength, true},
+             {{high.x, low.y}, kStrength, true},
+             {high, kStrength, true},
+             {{low.x, high.y}, kStrength, true}},
+            true,
+            0.0,
+            LineOf::figure};
+}
+
+std::vector<Chain> page_lines(const LabPicture& lab, double noise) {
+    const PageLayout page = page_layout(ink_of(lab, noise));
+    std::vector<Chain> lines;
+    for (const TextLine& text : page.lines) {
+        const double middle = text.box.y + 0.5 * (text.box.height - 1);
+        lines.push_back({{{{text.box.x - 0.5, middle}, 1.0, true},
+                          {{text.box.x + text.box.width - 0.5, middle}, 1.0, true}},
+                         false,
+                         static_cast<double>(text.box.height),
+                         LineOf::text});
+    }
+    for (const cv::Rect& figure : page.figures) lines.push_back(box_around(figure));
+    return lines;
+}
+
+double mean_strength(const std::vector<Chain>& lines) {
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (const Chain& line : lines) {
+        for (const EdgePoint& p : line.points) sum += p.strength;
+        count += line.points.size();
+    }
+    return count == 0 ? 0.0 : sum / static_cast<double>(count);
+}
+
+/// Finds the lines of a class other than photo.
+PhotoLines drawn_lines(const cv::Mat& picture, PictureClass picture_class, double longer_side_mm) {
+    const LabPicture lab = to_lab(reduced(picture, kWorkingPixels));
+    PhotoLines found;
+    found.size = lab.size();
+    found.noise = noise_of(lab);
+    const double px_per_mm = std::max(lab.cols, lab.rows) / longer_side_mm;
+    if (picture_class == PictureClass::diagram) {
+        found.chains = region_lines(lab, found.noise, kWidestStroke_mm * px_per_mm);
+    } else if (picture_class == PictureClass::line_art) {
+        found.chains = stroke_lines(lab, found.noise, kWidestStroke_mm * px_per_mm);
+    } else {
+        found.chains = page_lines(lab, found.noise);
+    }
+    if (picture_class != PictureClass::text_page) {
+        found.chains = with_dashes_joined(std::move(found.chains), px_per_mm);
+    }
+    found.lines_found = static_cast<int>(found.chains.size());
+    found.specks_dropped = static_cast<int>(std::erase_if(found.chains, [&](const Chain& line) {
+        return length_of(line) < kShortestLine_mm * px_per_mm || line.points.size() < 2;
+    }));
+    found.high = 0.5 * mean_strength(found.chains);
+    found.low = found.high;
+    if (!found.chains.empty()) {
+        found.edge_strength = edge_strength(found.chains, found.size, found.high);
+    }
+    return found;
+}
+
+/// Adds the main shape to a photo's lines.
+void add_main_shape(const cv::Mat& picture, PhotoLines& found) {
+    std::optional<Chain> shape = main_shape(picture, std::nullopt);
+    if (!shape) return;
+    for (EdgePoint& p : shape->points) {
+        p.at = {(p.at.x + 0.5) * found.size.width / picture.cols - 0.5,
+                (p.at.y + 0.5) * found.size.height / picture.rows - 0.5};
+        p.strength = std::max(p.strength, found.high);
+    }
+    found.chains.push_back(std::move(*shape));
+}
+
+/// photo: edges, and the main shape if one convinces; diagram: borders of flat colour; line art:
+/// middle lines of strokes up to 6 mm wide; text page: a line through each line of text, and a box
+/// around each figure (letters are not felt). If the way of its class finds nothing, or fifty times
+/// more specks than lines, the picture is treated as a photo. For classes other than photo, `high`
+/// is half the mean strength of the lines. `longer_side_mm`: how long the picture's longer side
+/// will be at the handle. `figure`: the mask of a photo's main things (vision/figure), instead of
+/// its main shape; empty: none. Throws cv::Exception without memory. Deterministic. Threads: pure
+/// function. O(pixels).
+ClassLines class_lines(const cv::Mat& picture, PictureClass picture_class, double longer_side_mm,
+                       const cv::Mat1b& figure) {
+    if (picture_class != PictureClass::photo) {
+        PhotoLines found = drawn_lines(picture, picture_class, longer_side_mm);
+        constexpr std::size_t kMostSpecks = 50;
+        constexpr double kGrain = 40.0;  // grey levels of noise: no drawing shows through
+        if (!found.chains.empty() && found.noise < kGrain &&
+            static_cast<std::size_t>(found.specks_dropped) < kMostSpecks * found.chains.size()) {
+            return {picture_class, std::move(found)};
+        }
+    }
+    PhotoLines found = photo_lines(picture, longer_side_mm);
+    const bool is_photo = picture_class == PictureClass::photo;
+    if (is_photo && !figure.empty()) {
+        found = with_figure(std::move(found), picture, figure, longer_side_mm);
+    } else if (is_photo && !found.is_grain && !found.chains.empty() && picture.channels() == 3) {
+        add_main_shape(picture, found);
+    }
+    return {PictureClass::photo, std::move(found)};
+}
 
 std::string size_of(const cv::Mat& picture) {
     return std::to_string(picture.cols) + " x " + std::to_string(picture.rows);
@@ -32,13 +152,6 @@ Result<void> check(const cv::Mat& picture) {
     return {};
 }
 
-Result<void> check(const Area& area) {
-    if (!is_usable(area)) {
-        return failure("the drawing area must be between 1 mm and 1 m on each side");
-    }
-    return {};
-}
-
 Result<void> check(const TraceOptions& options) {
     if (options.detail < 1 || options.detail > kMostDetail) {
         return failure("detail is " + std::to_string(options.detail) + "; it must be 1 to 5");
@@ -50,7 +163,10 @@ Result<void> check(const TraceOptions& options) {
     if (!std::isfinite(options.zoom.centre.x) || !std::isfinite(options.zoom.centre.y)) {
         return failure("the middle of the zoom is no place; choose another part of the picture");
     }
-    return check(options.area);
+    if (!is_usable(options.area)) {
+        return failure("the drawing area must be between 1 mm and 1 m on each side");
+    }
+    return {};
 }
 
 /// For a visitor, unlike a library's own message. Only lack of memory is known to occur.
@@ -89,8 +205,7 @@ std::string nothing_found(const cv::Mat& picture, double mm_per_pixel, const Pho
     }
     if (found.specks_dropped > 0) {
         return "no outline found, because all that is in the picture is too small for a finger; "
-               "use a "
-               "larger area, or a closer picture";
+               "use a larger area, or a closer picture";
     }
     return "no outline found, because nothing in the picture stands out from its background; use "
            "a picture with more contrast";
@@ -130,7 +245,7 @@ Result<Found> find_lines(const cv::Mat& picture, const TraceOptions& options,
         const double mm_per_pixel = 1000.0 / placement.picture_pixels_per_metre();
         const double longer_side_mm = mm_per_pixel * std::max(picture.cols, picture.rows);
         // Reduced once, because every way of finding lines starts from at most a megapixel.
-        const cv::Mat small = without_dots(reduced(picture, kClassPixels));
+        const cv::Mat small = without_dots(reduced(picture, kWorkingPixels));
         const cv::Mat sheet = within_sheet(small);
         ClassDecision decision = decided(sheet, options, !figure.empty());
         const bool is_photo = decision.picture_class == PictureClass::photo;

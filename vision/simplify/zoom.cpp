@@ -1,8 +1,5 @@
 #include "vision/simplify/zoom.h"
 
-#include "config/types/map_frame.h"
-
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -22,9 +19,7 @@ class Enlargement {
           factor_(zoom.factor) {}
 
     cv::Point2d operator()(cv::Point2d p) const {
-        if (factor_ == 1.0) {
-            return p;
-        }
+        if (factor_ == 1.0) return p;
         return (p - centre_mm_) * factor_ +
                cv::Point2d(0.5 * size_mm_.width, 0.5 * size_mm_.height);
     }
@@ -73,9 +68,7 @@ void clip(const Chain& line, cv::Size2d size, std::vector<Chain>& parts) {
     }
     Chain part{{}, false, line.width_px, line.of};
     const auto finish = [&] {
-        if (part.points.size() > 1) {
-            parts.push_back(part);
-        }
+        if (part.points.size() > 1) parts.push_back(part);
         part.points.clear();
     };
     for (std::size_t i = 1; i < points.size(); ++i) {
@@ -92,9 +85,7 @@ void clip(const Chain& line, cv::Size2d size, std::vector<Chain>& parts) {
         }
         part.points.push_back(to < 1.0 ? EdgePoint{a.at + to * (b.at - a.at), b.strength, true}
                                        : b);
-        if (to < 1.0) {
-            finish();
-        }
+        if (to < 1.0) finish();
     }
     finish();
 }
@@ -108,13 +99,6 @@ std::vector<Chain> clipped(const Chain& line, cv::Size2d size) {
     else
         clip(line, size, parts);
     return parts;
-}
-
-double length_mm(const Chain& line) {
-    double length = 0.0;
-    for (std::size_t i = 1; i < line.points.size(); ++i)
-        length += cv::norm(line.points[i].at - line.points[i - 1].at);
-    return length;
 }
 
 Chain in_mm(const Outline& outline, const Area& area, const Enlargement& enlargement) {
@@ -131,7 +115,7 @@ void add_enlarged(const Outline& outline, const Area& area, const Zoom& zoom, Ta
     const Enlargement enlargement(area, zoom);
     int number = 0;
     for (const Chain& part : clipped(in_mm(outline, area, enlargement), enlargement.size_mm())) {
-        if (length_mm(part) < kLeastPart_mm) continue;
+        if (length_of({part.points, false}) < kLeastPart_mm) continue;
         Outline shown = outline;
         shown.is_closed = part.is_closed;
         shown.points.clear();
@@ -163,9 +147,7 @@ std::vector<Chain> in_zoom(const std::vector<Chain>& lines, const Placement& pla
     for (const Chain& line : lines) {
         Chain mm = line;
         mm.width_px *= 1000.0 * placement.metres_per_working_pixel() * zoom.factor;
-        for (EdgePoint& p : mm.points) {
-            p.at = enlarged(placement.in_mm(p.at));
-        }
+        for (EdgePoint& p : mm.points) p.at = enlarged(placement.in_mm(p.at));
         if (zoom.factor == 1.0) {
             result.push_back(within(std::move(mm), enlarged.size_mm()));
             continue;

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const cv::Size size(800, 600);
+const cv::Size picture_size(800, 600);
 
 Result<cv::Mat> read_file(const fs::path& file) {
     const auto picture = read_picture(file.string());
@@ -38,9 +38,11 @@ class FolderCameraTest : public ::testing::Test {
     ~FolderCameraTest() override { fs::remove_all(folder_); }
 
     void save(const std::string& name, const cv::Scalar& colour) const {
-        cv::Mat pixels = testing::scene(size);
+        cv::Mat pixels = testing::scene(picture_size);
         pixels.rowRange(0, 60).setTo(colour);
-        Picture picture{size.width, size.height, {pixels.data, pixels.data + 3 * pixels.total()}};
+        Picture picture{picture_size.width,
+                        picture_size.height,
+                        {pixels.data, pixels.data + 3 * pixels.total()}};
         ASSERT_TRUE(write_png((folder_ / name).string(), picture));
     }
 
@@ -68,7 +70,7 @@ TEST_F(FolderCameraTest, PicturesComeByNameOneAStill) {
         camera.want_still();
         const CameraView taken = camera.step(0.1);
         ASSERT_TRUE(taken.still);
-        EXPECT_EQ(taken.still->frame.size, size);
+        EXPECT_EQ(taken.still->frame.size, picture_size);
         EXPECT_EQ(colour_of(taken.still->frame), expected);
         EXPECT_TRUE(camera.step(0.2).preview);
         EXPECT_FALSE(camera.step(0.3).preview);

@@ -1,6 +1,6 @@
 #include "vision/contour/texture.h"
 
-#include "vision/contour/iso_rings.h"
+#include "vision/contour/rings.h"
 
 #include <algorithm>
 #include <cmath>

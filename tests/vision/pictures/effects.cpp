@@ -3,6 +3,8 @@
 #include "tests/app/decode/decoding_here.h"
 #include "tests/app/decode/encoders.h"
 
+#include <cmath>
+
 #include <opencv2/imgproc.hpp>
 
 namespace touchline::testing {
@@ -18,6 +20,22 @@ cv::Mat through_jpeg(const cv::Mat& picture, int quality) {
     cv::Mat decoded(picture.size(), CV_8UC3);
     std::copy(back.bgr.begin(), back.bgr.end(), decoded.ptr());
     return decoded;
+}
+
+cv::Mat with_gain(const cv::Mat& picture, double gain) {
+    cv::Mat made;
+    picture.convertTo(made, CV_8U, gain);
+    return made;
+}
+
+cv::Mat with_gamma(const cv::Mat& picture, double gamma) {
+    cv::Mat1b table(1, 256);
+    for (int i = 0; i < 256; ++i) {
+        table(i) = cv::saturate_cast<uchar>(255.0 * std::pow(i / 255.0, gamma));
+    }
+    cv::Mat made;
+    cv::LUT(picture, table, made);
+    return made;
 }
 
 }  // namespace
@@ -66,6 +84,16 @@ Effects effects_of_kind(int kind, int seed) {
                     .jpeg_quality = 75,
                     .seed = seed};
     }
+}
+
+std::vector<Degraded> degraded(const cv::Mat& picture) {
+    return {{"gain 0.6", with_gain(picture, 0.6)},
+            {"gain 1.3", with_gain(picture, 1.3)},
+            {"gamma 0.6", with_gamma(picture, 0.6)},
+            {"50 % shade", seen(picture, {.shade = 0.5})},
+            {"noise 5", seen(picture, {.noise_levels = 5.0})},
+            {"JPEG 50", seen(picture, {.jpeg_quality = 50})},
+            {"blur 1", seen(picture, {.blur_px = 1.0})}};
 }
 
 }  // namespace touchline::testing

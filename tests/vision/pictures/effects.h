@@ -1,6 +1,9 @@
-// What a camera and a file do to a picture.
+// What a camera and a file do to a picture, and changes that must not alter its lines.
 // Threads: pure functions.
 #pragma once
+
+#include <string>
+#include <vector>
 
 #include <opencv2/core.hpp>
 
@@ -19,5 +22,14 @@ struct Effects {
 
 /// Returns one of six: clean, soft, noisy, shaded, JPEG, all of them mildly.
 [[nodiscard]] Effects effects_of_kind(int kind, int seed);
+
+struct Degraded {
+    std::string name;
+    cv::Mat picture;
+};
+
+/// Returns the picture at 0.6 and 1.3 times its light, with gamma 0.6, shaded by half, with noise
+/// of 5 grey levels, as JPEG of quality 50, and blurred by 1 px. 8-bit BGR, all of one size.
+[[nodiscard]] std::vector<Degraded> degraded(const cv::Mat& picture);
 
 }  // namespace touchline::testing
