@@ -224,6 +224,7 @@ void Homing::rest_at_left(JointAngles read) {
     const auto is_to_left = is_left(read);
     if (!is_to_left) return go(HomingStep::to_left, HomingRemark::not_left);
     if (!*is_to_left) encoders_ = mirrored(encoders_);
+    turned_left_ = at_joints(encoders_, read - read_at_check_);
     const bool is_usual = encoders_ == Plugs{};
     if (is_usual || seen_ == encoders_) return advance(HomingStep::to_home_again);
     seen_ = encoders_;
@@ -243,6 +244,19 @@ void Homing::rest_at_check_again(JointAngles read) {
     if (!(misfit_m <= same_place_m)) return miss(misfit_m);
     if (!does_fit(fit_of(turn), turn)) return go(HomingStep::to_home, HomingRemark::no_such_scale);
     read_at_check_ = read;
+    judge_links(turn);
+}
+
+/// Wrong links would make wrong forces everywhere.
+void Homing::judge_links(JointAngles turn) {
+    switch (links_of(plan_.known, turn, turned_left_)) {
+        case LinksOf::other_kind:
+            return go(HomingStep::to_home, HomingRemark::other_kind);
+        case LinksOf::either:
+            return go(HomingStep::to_home, HomingRemark::either_kind);
+        case LinksOf::chosen_kind:
+            break;
+    }
     if (needs_an_answer(plan_.known, turn)) return advance(HomingStep::to_answer);
     measure();
 }

@@ -3,7 +3,8 @@
 // rests, then to a second stop and rests; if the arms then read what they must, force may come. A
 // unit that is homed for the first time is measured: from the second stop the hand also goes to the
 // left, which tells a linkage from its mirror image, and visits the two stops twice. If a unit of
-// another kind would read alike, a question answered with the handle tells them apart. No force
+// another kind would read alike, a question answered with the handle tells them apart, or the place
+// to the left if its links differ; if that tells nothing, the unit is refused. No force
 // acts meanwhile. The program supplies the words for each step.
 // Source: users' reports of Haply devices (wrong home poses, swapped plugs, encoders that turn the
 // other way, scales off by per cent and by a fifth). Threads: plain values, one thread.
@@ -30,7 +31,7 @@ struct HomingPlan {
     // true: the home stop is the one with the arms stretched, which is alike on all units; false:
     // the check stop is.
     bool is_home_stretched = false;
-    std::vector<KnownUnits> known;  // this kind, and others with the same links
+    std::vector<KnownUnits> known;  // this kind, and all others
 };
 
 /// Makes the plan from the profile, or for the unit whose `stop_off` is given (rad).
@@ -55,7 +56,8 @@ enum class HomingRemark : std::uint8_t {
     not_left,       // at rest, but neither to the left nor to the right of the stop
     starting_over,  // it did not fit three times
     no_such_scale,  // the same, since no unit of this kind turns so far: perhaps it is another kind
-    other_kind,     // the answer belongs to another kind
+    other_kind,     // the answer, or the place to the left, belongs to another kind
+    either_kind,    // a kind with other links reads the same everywhere: no force would be right
     lost_count,     // the encoders lost counts: the results so far are worth nothing
     reversed,       // the stops came in the wrong order, or the plugs differ: once more
     replugged,      // a known unit reads differently than it did: it is measured anew
@@ -111,6 +113,7 @@ class Homing {
     void rest_at_left(JointAngles read);
     void rest_at_home_again(JointAngles read);
     void rest_at_check_again(JointAngles read);
+    void judge_links(JointAngles turn);
     void rest_at_answer(JointAngles read);
     void measure();
     void advance(HomingStep step);
@@ -127,6 +130,7 @@ class Homing {
     Calibration calibration_;
     JointAngles read_at_home_;
     JointAngles read_at_check_;
+    JointAngles turned_left_;    // read, from the check stop
     Plugs encoders_;             // as they seem to be in this round
     double scale_ = 1.0;         // likewise
     std::optional<Plugs> seen_;  // difference from the profile in the round before
