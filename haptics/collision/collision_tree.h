@@ -63,8 +63,8 @@ struct Budget {
 };
 
 /// The first contact of a motion. Boxes that the budget left unopened count as obstacles: `clear`
-/// is the share of the motion proven free of them, and a hit counts only before all of them
-/// (architecture section 4, "Anytime"). `clear` never falls as the budget grows.
+/// is the share of the motion proven free of them, and a hit counts only before all of them. So a
+/// query is right whenever it is stopped, and `clear` never falls as the budget grows.
 struct Hit {
     bool is_hit = false;
     double clear = 1.0;  // share of the motion proven free; if is_hit, the contact's

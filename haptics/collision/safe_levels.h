@@ -1,6 +1,6 @@
 // Finds which levels of a piece are safe: on the way from one level to the next, no line passes
-// over a line that is not its neighbour. Done once, when a map is built (architecture section 4,
-// "Safe levels"; facts G5). Threads: pure functions, off the tick.
+// over a line that is not its neighbour. Else a hand between the two would be
+// on the other side of one. Done once, when a map is built. Threads: pure functions, off the tick.
 #pragma once
 
 #include "haptics/curve/curve_set.h"
@@ -38,8 +38,7 @@ struct SafeLevels {
 [[nodiscard]] SafeLevels find_safe_levels(const CurveSet& curves, Meetings meetings);
 
 /// Returns pins that separate the unsafe parts from the rest of their outline, so that the rest
-/// keeps its levels. Returns none if the lost levels are coarser than a hand at 0.5 m/s asks for
-/// (facts 5.3).
+/// keeps its levels. Returns none if the lost levels are coarser than a hand at 0.5 m/s asks for.
 [[nodiscard]] std::vector<PinPlace> pins_for(const CurveSet& curves, const SafeLevels& safe);
 
 }  // namespace touchline

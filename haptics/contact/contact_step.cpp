@@ -79,7 +79,7 @@ ContactStep::Next ContactStep::move_on_edge() {
     }
     const Segment s = outlines_.segment(at.segment);
     const double way_m = dot(pull, direction_of(s.b - s.a));
-    const double held_m = settings_.friction * depth;
+    const double held_m = held_by_friction(settings_.friction, depth);
     if (std::abs(way_m) <= std::max(held_m, still_m)) return Next::done;
     return slide(way_m - std::copysign(held_m, way_m));
 }
@@ -160,7 +160,7 @@ bool ContactStep::rest_on_edge() {
     const Position pull = handle_ - proxy_.centre;
     const double depth = -dot(pull, at.normal);
     const double pulled_m = dot(pull, edge.along);
-    const double way_m = std::abs(pulled_m) - settings_.friction * depth;
+    const double way_m = std::abs(pulled_m) - held_by_friction(settings_.friction, depth);
     const bool is_forward = pulled_m > 0.0;
     const double left_m = (is_forward ? 1.0 - at.parameter : at.parameter) * edge.length_m;
     const bool is_short = way_m > 0.0 && way_m + 2.0 * at.offset_m <= left_m;
@@ -216,7 +216,7 @@ bool ContactStep::rest_in_corner() {
     if (next.piece < 0) return false;
     const double left_m = (is_forward ? 1.0 - at.parameter : at.parameter) * edge.length_m;
     const double depth_here = -dot(pull, at.normal);
-    const double way_m = std::abs(pulled_m) - settings_.friction * depth_here;
+    const double way_m = std::abs(pulled_m) - held_by_friction(settings_.friction, depth_here);
     if (!(depth_here >= 0.0 && way_m > left_m)) return false;
     const double sign = is_forward ? 1.0 : -1.0;
     const Edge& ahead = outlines_.edge(next);
@@ -227,7 +227,8 @@ bool ContactStep::rest_in_corner() {
                                    sign * sign_of(at.side), at.offset_m);
     const Position pull_there = handle_ - corner.enter;
     const double depth = -dot(pull_there, corner.normal);
-    const bool is_pulled_on = depth >= 0.0 && dot(pull_there, after) > settings_.friction * depth;
+    const bool is_pulled_on =
+        depth >= 0.0 && dot(pull_there, after) > held_by_friction(settings_.friction, depth);
     const double inset_m = corner.inset_m;
     if (is_pulled_on || inset_m > left_m || 2.0 * inset_m > ahead.length_m) return false;
     const double end = inset_m * edge.per_length_m;

@@ -110,7 +110,7 @@ ContactStep::Next ContactStep::walk_or_hold(SegmentRef next, bool at_start, Dire
                                 : at.offset_m;
     const Contact ahead{next, at_start ? 0.0 : 1.0, at.side, normal, offset_m, false};
     const double depth = -dot(handle_ - proxy_.centre, at.normal);
-    if (dot(handle_ - proxy_.centre, away) > settings_.friction * depth) {
+    if (dot(handle_ - proxy_.centre, away) > held_by_friction(settings_.friction, depth)) {
         first() = ahead;
         place_at_contact();
         return Next::again;
@@ -246,7 +246,7 @@ bool ContactStep::can_slide(const Contact& along_this, const Contact& other, dou
     const Position pull = handle_ - proxy_.centre;
     const double depth = -dot(pull, along_this.normal);
     const double sideways = cross(along_this.normal, pull);
-    pull_m = std::abs(sideways) - settings_.friction * std::max(depth, 0.0);
+    pull_m = std::abs(sideways) - held_by_friction(settings_.friction, std::max(depth, 0.0));
     const Direction way = std::copysign(1.0, sideways) * left_of(along_this.normal);
     // Round an end, the way bends down at once, so it must not go into a line that it starts along.
     double least = -parallel;

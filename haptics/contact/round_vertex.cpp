@@ -34,7 +34,7 @@ ArcGoal arc_goal(Direction n, Position pull, double offset_m, double to_left_rad
     const double depth = offset_m - dot(n, pull);
     const double distance = norm(pull);
     const bool is_behind = dot(n, pull) < 0.0;
-    if (std::abs(sideways) <= std::max(friction * depth, rest_m) &&
+    if (std::abs(sideways) <= std::max(held_by_friction(friction, depth), rest_m) &&
         !(is_behind && friction == 0.0)) {
         return {};
     }

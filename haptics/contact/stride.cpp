@@ -44,11 +44,13 @@ int vertices_passed(const EdgeRow& row, const CollisionTree& tree, int index, bo
         const int ahead = vertex + step;
         if (ahead < 0 || ahead >= count) break;
         const bool is_pulled_to_end =
-            at.along - at.square > pull.friction * at.depth + at.slack && at.depth >= 0.0;
+            at.along - at.square > held_by_friction(pull.friction, at.depth) + at.slack &&
+            at.depth >= 0.0;
         const Position next = points[ahead] - points[vertex];
         const Look there = look(next, pull.handle - points[vertex], side);
         const bool is_pulled_on =
-            there.depth >= there.slack && there.along > pull.friction * there.depth + there.slack;
+            there.depth >= there.slack &&
+            there.along > held_by_friction(pull.friction, there.depth) + there.slack;
         const double turn = dot(edge, next);
         const bool is_gentle = turn > 0.0 && turn * turn > least_cosine2 * at.square * there.square;
         const bool is_edge = there.square > least_square_m2;

@@ -74,7 +74,7 @@ struct SegmentRef {
 
 /// One piece as rendered at one level, looked up once for many segments. At a fraction w above
 /// level k its points are (1 - w) p_k + w p_(k+1), where p_(k+1) is the coarser polyline with its
-/// midpoints (architecture, "Levels blend"). A view: valid as long as its CurveSet.
+/// midpoints, so that a level blends into the next. A view: valid as long as its CurveSet.
 class RenderedPiece {
   public:
     [[nodiscard]] int segment_count() const { return segment_count_; }
@@ -163,7 +163,7 @@ class CurveSet {
     }
 
     /// Counts the segments of the piece as rendered at `level`; at a fractional level they are
-    /// those of the next finer whole level (architecture, "Levels blend").
+    /// those of the next finer whole level.
     [[nodiscard]] int rendered_count(int piece, double level) const;
 
     /// Returns a segment or a point of rendered(piece, level). O(1).

@@ -1,4 +1,4 @@
-// Watches whether the loop rings, and softens the wall until it does not (facts 1.3 K, 7.5).
+// Watches whether the loop rings, and softens the wall until it does not.
 // Threads: one, the servo's. A plain value.
 #pragma once
 
