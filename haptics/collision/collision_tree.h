@@ -4,11 +4,9 @@
 // immutable once built; queries are const and keep their state on the stack. No allocation.
 #pragma once
 
+#include "config/types/steady_clock.h"
 #include "config/types/vec2.h"
 #include "haptics/collision/box.h"
-#include "haptics/collision/moving_wall.h"
-#include "haptics/collision/packed_extents.h"
-#include "haptics/collision/sift.h"
 #include "haptics/collision/start_grid.h"
 #include "haptics/collision/touch.h"
 #include "haptics/curve/curve_set.h"
@@ -60,6 +58,25 @@ struct TreeChildren {
 struct Budget {
     int boxes = std::numeric_limits<int>::max();  // boxes that may be opened
     std::int64_t deadline_ns = 0;  // on the steady clock, by which to return; 0: none
+};
+
+/// Keeps a query within its budget: counts boxes; reads the clock only if a deadline is set.
+class Spender {
+  public:
+    explicit Spender(const Budget& budget) : budget_(budget) {}
+
+    bool spend(int boxes) {
+        if (opened_ + boxes > budget_.boxes) return false;
+        if (budget_.deadline_ns != 0 && steady_now_ns() >= budget_.deadline_ns) return false;
+        opened_ += boxes;
+        return true;
+    }
+
+    [[nodiscard]] int opened() const { return opened_; }
+
+  private:
+    Budget budget_;
+    int opened_ = 0;
 };
 
 /// The first contact of a motion. Boxes that the budget left unopened count as obstacles: `clear`

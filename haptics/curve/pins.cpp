@@ -1,7 +1,7 @@
 #include "haptics/curve/pins.h"
 
 #include "haptics/curve/sampling.h"
-#include "haptics/curve/shrink.h"
+#include "haptics/curve/wavelet.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 // the pair can matter. Threads: one, the servo's. Allocates only in reset().
 #pragma once
 
+#include "haptics/collision/collision_tree.h"
 #include "haptics/collision/scene.h"
-#include "haptics/collision/spender.h"
 #include "haptics/contact/rendered_outlines.h"
 #include "haptics/probe/clear_share.h"
 #include "haptics/probe/probe_shape.h"

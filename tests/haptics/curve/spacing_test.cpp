@@ -1,5 +1,3 @@
-#include "haptics/curve/spacing.h"
-
 #include "app/decode/map_svg.h"
 #include "app/gallery/gallery.h"
 #include "haptics/curve/sampling.h"

@@ -3,7 +3,6 @@
 #include "haptics/curve/pins.h"
 #include "haptics/curve/sampling.h"
 #include "haptics/curve/segment.h"
-#include "haptics/curve/spacing.h"
 
 #include <algorithm>
 #include <cmath>
