@@ -1,6 +1,6 @@
 #include "haptics/contact/wall_motion.h"
 
-#include "haptics/contact/stride.h"
+#include "haptics/contact/contact_step.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "haptics/curve/pins.h"
 
-#include "haptics/curve/sampling.h"
+#include "haptics/curve/spacing.h"
 #include "haptics/curve/wavelet.h"
 
 #include <algorithm>

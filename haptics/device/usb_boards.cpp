@@ -1,5 +1,6 @@
 #include "haptics/device/usb_boards.h"
 
+#include "haptics/device/hapi.h"
 #include "haptics/device/usb_link.h"
 
 #include <algorithm>
@@ -11,10 +12,13 @@
 #include <iomanip>
 #include <optional>
 #include <sstream>
+#include <string>
 #include <utility>
 
 #include <fcntl.h>
 #include <libusb.h>
+#include <linux/usbdevice_fs.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace touchline {
@@ -189,6 +193,8 @@ Result<const Plugged*> choose(const std::vector<Plugged>& boards, std::span<cons
                    all_of(boards));
 }
 
+constexpr unsigned longest_send_ms = 10;
+
 }  // namespace
 
 struct UsbBoards::Context {
@@ -277,6 +283,34 @@ std::string describe(const FoundBoard& board) {
         default:
             return name + " does not answer: unplug it and plug it in again";
     }
+}
+
+// Does not use libusb: it would get the transfers that a dead process began, with addresses of that
+// process's memory to write to. Giving the interface back ends them all, unread.
+bool write_zero(int descriptor, const SerialPipes& pipes, const DeviceProfile& profile) {
+    auto interface = static_cast<unsigned>(pipes.data_interface);
+    (void)ioctl(descriptor, USBDEVFS_RELEASEINTERFACE, &interface);
+    if (ioctl(descriptor, USBDEVFS_CLAIMINTERFACE, &interface) != 0) return false;
+    Command zero = write_command({}, profile.handle ? std::optional(0.0) : std::nullopt);
+    usbdevfs_bulktransfer transfer{pipes.out_endpoint, static_cast<unsigned>(zero.bytes().size()),
+                                   longest_send_ms, const_cast<std::uint8_t*>(zero.bytes().data())};
+    return ioctl(descriptor, USBDEVFS_BULK, &transfer) == static_cast<int>(zero.bytes().size());
+}
+
+Result<UsbPantograph> take_pantograph(const UsbBoards& usb, const BoardSettings& settings,
+                                      std::string_view serial, std::string_view profile_name,
+                                      const UsbLinkOptions& options) {
+    auto found = usb.find(settings.boards, serial);
+    if (!found) return tl::unexpected(found.error());
+    const UnitSettings* unit = find_unit(settings, found->serial);
+    const auto profile = find_profile(unit != nullptr ? unit->profile : profile_name);
+    if (!profile) return tl::unexpected(profile.error());
+    auto opened = usb.open(*found, options);
+    if (!opened) return tl::unexpected(opened.error());
+    const Calibration calibration = unit != nullptr ? unit->calibration : Calibration{};
+    return UsbPantograph{
+        std::move(*found), calibrated(*profile, calibration),
+        std::make_unique<PantographBoard>(std::move(opened->link), *profile, calibration)};
 }
 
 }  // namespace touchline

@@ -1,6 +1,7 @@
+#include "haptics/curve/spacing.h"
+
 #include "app/decode/map_svg.h"
 #include "app/gallery/gallery.h"
-#include "haptics/curve/sampling.h"
 #include "tests/haptics/curve/uniform_points.h"
 #include "tests/haptics/scenes.h"
 

@@ -1,7 +1,6 @@
 // Homing: a hand that follows the words, and hands that do not.
 #include "haptics/device/homing.h"
 
-#include "haptics/device/known_units.h"
 #include "haptics/pantograph/kinematics.h"
 #include "haptics/pantograph/profile.h"
 #include "tests/haptics/tick.h"

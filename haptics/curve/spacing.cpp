@@ -1,4 +1,4 @@
-#include "haptics/curve/sampling.h"
+#include "haptics/curve/spacing.h"
 
 #include "haptics/curve/segment.h"
 
