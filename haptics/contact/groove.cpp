@@ -33,13 +33,13 @@ std::optional<Slide> onward(RenderedOutlines& outlines, const Attachment& at, co
 }
 
 constexpr double handover_margin_m = 2e-4;
-constexpr double fade_s = 0.03;             // of a handover
-constexpr double largest_fade_N = 0.015;    // in a tick
-constexpr double recovery_s = 0.05;         // of the strength, 0 to 1
-constexpr double valley_m = 1.5e-3;         // between two ridges, where both have a share
-constexpr double largest_push_N = 0.0075;   // by a change of level in a tick
-constexpr double largest_slide_N = 0.0075;  // by a slide that is late, in a tick
-constexpr double largest_hop_N = 0.015;     // across the inside of a bend
+constexpr double fade_s = 0.03;               // of a handover
+constexpr double largest_fade_N = 0.015;      // in a tick
+constexpr double recovery_s = 0.05;           // of the strength, 0 to 1
+constexpr double valley_m = 1.5e-3;           // between two ridges, where both have a share
+constexpr double largest_level_push_N = 0.0075;  // by a change of level in a tick
+constexpr double largest_slide_N = 0.0075;    // by a slide that is late, in a tick
+constexpr double largest_hop_N = 0.015;       // across the inside of a bend
 
 double blend(double before, double now, double share) {
     return before + share * (now - before);
@@ -143,13 +143,13 @@ void Groove::change_level(RenderedOutlines& outlines, double level, const Captur
             at = at_level(curves, at, from, to);
             push_N = std::max(push_N, law.steepest_N_per_m() * norm(point_of(after, at) - old));
         }
-        if (push_N <= largest_push_N) {
+        if (push_N <= largest_level_push_N) {
             now_ = both[0];
             before_ = both[1];
             outlines = after;
             return;
         }
-        step *= 0.95 * largest_push_N / push_N;
+        step *= 0.95 * largest_level_push_N / push_N;
     }
 }
 
