@@ -76,7 +76,7 @@ class CollisionTreeBuilder {
 
     CollisionTree build() {
         tree_.extents_.resize(curves_.point_count() - curves_.finest_count() + Fan::width - 1);
-        for (int piece = 0; piece < static_cast<int>(curves_.pieces().size()); ++piece) {
+        for (int piece = 0; piece < curves_.piece_count(); ++piece) {
             bound_piece(piece);
         }
         if (!tree_.roots_.empty()) {
@@ -93,7 +93,7 @@ class CollisionTreeBuilder {
     using Bound = CollisionTree::Bound;
 
     void bound_piece(int piece) {
-        const int coarsest = curves_.pieces()[static_cast<std::size_t>(piece)].coarsest;
+        const int coarsest = curves_.piece(piece).coarsest;
         for (int level = 1; level <= coarsest; ++level) {
             const std::size_t first = curves_.first_point(piece, level) - curves_.finest_count();
             const int count = curves_.segment_count(piece, level);
@@ -199,7 +199,7 @@ class CollisionTreeBuilder {
     [[nodiscard]] double mean_edge_m() const {
         double length_m = 0.0;
         double edges = 0.0;
-        for (int piece = 0; piece < static_cast<int>(curves_.pieces().size()); ++piece) {
+        for (int piece = 0; piece < curves_.piece_count(); ++piece) {
             const auto points = curves_.points(piece, 0);
             for (std::size_t i = 1; i < points.size(); ++i)
                 length_m += norm(points[i] - points[i - 1]);
@@ -219,8 +219,8 @@ class CollisionTreeBuilder {
         std::vector<Stretch> stretches;
         std::vector<Position> low;
         std::vector<Position> high;
-        for (int piece = 0; piece < static_cast<int>(curves_.pieces().size()); ++piece) {
-            const int coarsest = curves_.pieces()[static_cast<std::size_t>(piece)].coarsest;
+        for (int piece = 0; piece < curves_.piece_count(); ++piece) {
+            const int coarsest = curves_.piece(piece).coarsest;
             add_stretches(piece, std::min(start_level, coarsest), stretches);
         }
         for (const Stretch& stretch : stretches) {

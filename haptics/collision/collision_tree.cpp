@@ -20,30 +20,19 @@ Sifted distances(const Fan& fan, Position p) {
     return out;
 }
 
-class FirstHit {
+class FirstHit : public FirstTouch {
   public:
     static constexpr bool asks_leaf_boxes = false;
 
-    FirstHit(const Motion& motion, const Budget& budget) : first_(motion), spender_(budget) {}
-
-    [[nodiscard]] const Way& way() const { return first_.way(); }
-
-    void spare(double margin_m) { first_.spare(margin_m); }
-
-    Sifted sift(const Fan& fan) { return first_.sift(fan); }
-
-    [[nodiscard]] std::optional<double> near(const Box& box) { return first_.near(box); }
-
-    [[nodiscard]] double cut() const { return first_.cut(); }
+    FirstHit(const Motion& motion, const Budget& budget) : FirstTouch(motion), spender_(budget) {}
 
     bool spend(int boxes) { return spender_.spend(boxes); }
 
-    void leaf(SegmentRef ref, const Segment& segment) { first_.test(ref, segment); }
+    void leaf(SegmentRef ref, const Segment& segment) { test(ref, segment); }
 
-    Hit result(double unopened) { return first_.result(unopened, spender_.opened()); }
+    Hit result(double unopened) { return FirstTouch::result(unopened, spender_.opened()); }
 
   private:
-    FirstTouch first_;
     Spender spender_;
 };
 
@@ -76,24 +65,41 @@ class Crossings {
     int count_ = 0;
 };
 
-class ClosestPoint {
+/// What visitors that look around a place have in common.
+class AroundPlace {
   public:
-    static constexpr bool asks_leaf_boxes = false;
+    AroundPlace(Position p, const Budget& budget) : p_(p), spender_(budget) {}
 
-    ClosestPoint(Position p, double within_m, const Budget& budget) : p_(p), spender_(budget) {
-        closest_.distance_m = within_m;
-    }
+    static void spare(double /*margin_m*/) {}
 
     [[nodiscard]] Sifted sift(const Fan& fan) const { return distances(fan, p_); }
 
     [[nodiscard]] std::optional<double> near(const Box& box) const { return distance_m(box, p_); }
 
-    [[nodiscard]] double cut() const { return closest_.distance_m; }
-
     bool spend(int boxes) { return spender_.spend(boxes); }
 
+  protected:
+    [[nodiscard]] Position p() const { return p_; }
+
+    [[nodiscard]] int opened() const { return spender_.opened(); }
+
+  private:
+    Position p_;
+    Spender spender_;
+};
+
+class ClosestPoint : public AroundPlace {
+  public:
+    static constexpr bool asks_leaf_boxes = false;
+
+    ClosestPoint(Position p, double within_m, const Budget& budget) : AroundPlace(p, budget) {
+        closest_.distance_m = within_m;
+    }
+
+    [[nodiscard]] double cut() const { return closest_.distance_m; }
+
     void leaf(SegmentRef ref, const Segment& segment) {
-        const Foot at = foot(p_, segment);
+        const Foot at = foot(p(), segment);
         const bool is_nearer = at.distance_m < closest_.distance_m;
         const bool is_lower = at.distance_m == closest_.distance_m && closest_.segment.piece >= 0 &&
                               ref < closest_.segment;
@@ -103,73 +109,52 @@ class ClosestPoint {
 
     /// `unopened` is the distance of the nearest box left unopened.
     Closest result(double unopened) {
-        closest_.boxes = spender_.opened();
+        closest_.boxes = opened();
         closest_.is_complete = unopened > closest_.distance_m;
         return closest_;
     }
 
   private:
-    Position p_;
-    Spender spender_;
     Closest closest_;
 };
 
 /// Stops at the first leaf's box within reach.
-class AnyNear {
+class AnyNear : public AroundPlace {
   public:
     static constexpr bool asks_leaf_boxes = true;
 
     AnyNear(Position p, double reach_m, const Budget& budget)
-        : p_(p), reach_m_(reach_m), spender_(budget) {}
-
-    static void spare(double /*margin_m*/) {}
-
-    [[nodiscard]] Sifted sift(const Fan& fan) const { return distances(fan, p_); }
-
-    [[nodiscard]] std::optional<double> near(const Box& box) const { return distance_m(box, p_); }
+        : AroundPlace(p, budget), reach_m_(reach_m) {}
 
     [[nodiscard]] double cut() const { return is_met_ ? -1.0 : reach_m_; }
-
-    bool spend(int boxes) { return spender_.spend(boxes); }
 
     void leaf(SegmentRef /*ref*/, const Segment& /*segment*/) { is_met_ = true; }
 
     [[nodiscard]] Clearance result(double unopened) const {
-        return {!is_met_ && unopened > reach_m_, spender_.opened()};
+        return {!is_met_ && unopened > reach_m_, opened()};
     }
 
   private:
-    Position p_;
     double reach_m_;
-    Spender spender_;
     bool is_met_ = false;
 };
 
 /// The coarser level's boxes hold every blend, so whatever may sweep over p has its box there.
-class FirstWall {
+class FirstWall : public AroundPlace {
   public:
     static constexpr bool asks_leaf_boxes = false;
 
     FirstWall(const CurveSet& curves, Position p, const LevelChange& change,
               const std::array<SegmentRef, 2>& excluded, const Budget& budget)
-        : curves_(curves), p_(p), change_(change), excluded_(excluded), spender_(budget) {}
-
-    static void spare(double /*margin_m*/) {}
-
-    [[nodiscard]] Sifted sift(const Fan& fan) const { return distances(fan, p_); }
-
-    [[nodiscard]] std::optional<double> near(const Box& box) const { return distance_m(box, p_); }
+        : AroundPlace(p, budget), curves_(curves), change_(change), excluded_(excluded) {}
 
     [[nodiscard]] static double cut() { return contact_skin_m; }
 
-    bool spend(int boxes) { return spender_.spend(boxes); }
-
     void leaf(SegmentRef ref, const Segment& /*between*/) {
-        const bool has_octave =
-            change_.finer < curves_.pieces()[static_cast<std::size_t>(ref.piece)].coarsest;
+        const bool has_octave = change_.finer < curves_.piece(ref.piece).coarsest;
         if (!has_octave || ref == excluded_[0] || ref == excluded_[1]) return;
         look_up(ref.piece);
-        const auto found = meeting(p_, from_.segment(ref.index), to_.segment(ref.index));
+        const auto found = meeting(p(), from_.segment(ref.index), to_.segment(ref.index));
         if (!found) return;
         const bool is_lower = found->share == hit_.share && hit_.is_hit && ref < hit_.segment;
         if (!(found->share < hit_.share || is_lower || !hit_.is_hit)) return;
@@ -177,7 +162,7 @@ class FirstWall {
     }
 
     WallHit result(double unopened) {
-        hit_.boxes = spender_.opened();
+        hit_.boxes = opened();
         hit_.is_complete = unopened > contact_skin_m;
         return hit_;
     }
@@ -191,10 +176,8 @@ class FirstWall {
     }
 
     const CurveSet& curves_;
-    Position p_;
     const LevelChange& change_;
     const std::array<SegmentRef, 2>& excluded_;
-    Spender spender_;
     int piece_ = -1;  // whose these are:
     RenderedPiece from_, to_;
     WallHit hit_;
@@ -275,24 +258,23 @@ std::size_t CollisionTree::memory_bytes() const {
 
 void CollisionTree::boundary_section(const CurveSet& curves, Position handle, int level,
                                      std::vector<ErrorBox>& section) const {
-    std::vector<Node> open;
+    std::vector<TreeNode> open;
     for (const Stretch& roots : roots_) {
         for (int k = 0; k < roots.count; ++k) {
             open.push_back({roots.piece, roots.level, roots.first + k});
         }
     }
     while (!open.empty()) {
-        const Node node = open.back();
+        const TreeNode node = open.back();
         open.pop_back();
         const bool holds = distance_m(node_box(curves, node), handle) <= 0.0;
         if (!holds || node.level <= level || node.level == 0) {
             section.push_back(box(curves, node.piece, node.level, node.index));
             continue;
         }
-        if (2 * node.index + 1 < curves.segment_count(node.piece, node.level - 1)) {
-            open.push_back({node.piece, node.level - 1, 2 * node.index + 1});
-        }
-        open.push_back({node.piece, node.level - 1, 2 * node.index});
+        const TreeChildren finer = children(curves, node);
+        for (int k = finer.count; k-- > 0;)
+            open.push_back(finer.nodes[static_cast<std::size_t>(k)]);
     }
 }
 
@@ -313,6 +295,8 @@ class LevelByLevel {
     }
 
   private:
+    /// A tree's node without initial values, which 24 KB of them would take longer to set than to
+    /// use.
     struct Node {
         std::int32_t piece, level, index;
     };

@@ -179,7 +179,7 @@ class CollisionTree {
 
     /// Returns a box that holds a node's curve as rendered at any level up to the node's. O(1).
     [[nodiscard]] Box box_of_node(const CurveSet& curves, const TreeNode& node) const {
-        if (node.piece >= 0) return node_box(curves, {node.piece, node.level, node.index});
+        if (node.piece >= 0) return node_box(curves, node);
         return bounds_[static_cast<std::size_t>(node.index)].box();
     }
 
@@ -205,11 +205,8 @@ class CollisionTree {
         }
     };
 
-    struct Node {
-        int piece, level, index;
-    };
+    [[nodiscard]] Box node_box(const CurveSet& curves, const TreeNode& node) const;
 
-    [[nodiscard]] Box node_box(const CurveSet& curves, const Node& node) const;
     /// Room for the points of a fan that are not contiguous.
     using FanBuffer = std::array<Position, Fan::width + 1>;
 
@@ -250,7 +247,7 @@ inline Fan CollisionTree::fan(const CurveSet& curves, const Stretch& nodes,
     return fan;
 }
 
-inline Box CollisionTree::node_box(const CurveSet& curves, const Node& node) const {
+inline Box CollisionTree::node_box(const CurveSet& curves, const TreeNode& node) const {
     const auto points = curves.points(node.piece, node.level);
     const auto j = static_cast<std::size_t>(node.index);
     const Segment s{points[j], points[j + 1 == points.size() ? 0 : j + 1]};

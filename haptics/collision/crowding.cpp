@@ -85,8 +85,7 @@ class Changes {
     [[nodiscard]] std::vector<MovingSegment> segments(SegmentRef node, int level) const {
         const bool is_moving = moves(node, level);
         const int finer = is_moving ? level - 1 : coarsest(node);
-        const int own =
-            std::min(level, curves_.pieces()[static_cast<std::size_t>(node.piece)].coarsest);
+        const int own = std::min(level, curves_.piece(node.piece).coarsest);
         const RenderedPiece from = curves_.blend(node.piece, finer, 0.0);
         const RenderedPiece to = curves_.blend(node.piece, finer, is_moving ? 1.0 : 0.0);
         const int first = node.index << (own - finer);
@@ -122,9 +121,8 @@ Meetings Crowding::find_meetings() {
 
 void Crowding::walk() {
     if (!tree_.bounds_.empty()) within_hierarchy(0);
-    for (int piece = 0; piece < static_cast<int>(curves_.pieces().size()); ++piece) {
-        for (int level = curves_.pieces()[static_cast<std::size_t>(piece)].coarsest - 1; level >= 0;
-             --level) {
+    for (int piece = 0; piece < curves_.piece_count(); ++piece) {
+        for (int level = curves_.piece(piece).coarsest - 1; level >= 0; --level) {
             along_level(piece, level);
         }
     }
@@ -179,7 +177,7 @@ void Crowding::within_roots(std::size_t a) {
 /// even node the one after that. All others of the piece are met through parents that meet.
 void Crowding::along_level(int piece, int level) {
     const int count = curves_.segment_count(piece, level);
-    const Piece& own = curves_.pieces()[static_cast<std::size_t>(piece)];
+    const Piece& own = curves_.piece(piece);
     const bool is_closed = own.is_closed || own.next == piece;  // or a loop with one pin
     std::array<Box, 4> window;  // of nodes j ... j + 3, each at its number's last two bits
     const auto box_at = [&](int j) -> Box& { return window[static_cast<std::size_t>(j) % 4]; };
@@ -251,7 +249,7 @@ void Crowding::crowd(Part a, Part b, int level) {
 }
 
 int Crowding::level_of(Part a, int level) const {
-    return std::min(level, curves_.pieces()[static_cast<std::size_t>(a.piece)].coarsest);
+    return std::min(level, curves_.piece(a.piece).coarsest);
 }
 
 /// Returns the nodes that replace it at the next finer level; level > 0.
@@ -268,7 +266,7 @@ bool Crowding::is_last(Part a, int level) const {
 
 bool Crowding::are_neighbours(Part a, Part b, int level) const {
     const auto follows = [&](Part before, Part after) {
-        const Piece& piece = curves_.pieces()[static_cast<std::size_t>(before.piece)];
+        const Piece& piece = curves_.piece(before.piece);
         if (before.piece == after.piece && after.index == before.index + 1) return true;
         const int next = piece.is_closed ? before.piece : piece.next;
         return after.index == 0 && after.piece == next && is_last(before, level);
@@ -312,7 +310,7 @@ std::vector<PinPlace> pins_for(const CurveSet& curves, const SafeLevels& safe) {
         if (norm(s.b - s.a) >= fast_hand_spacing_m) continue;
         for (const int end : {unsafe.node.index, unsafe.node.index + 1}) {
             const auto i = static_cast<std::size_t>(end) << unsafe.level;
-            const int outline = curves.pieces()[static_cast<std::size_t>(piece)].outline;
+            const int outline = curves.piece(piece).outline;
             pins.push_back({outline, points[i < points.size() ? i : points.size() - 1]});
         }
     }

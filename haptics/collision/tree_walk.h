@@ -223,7 +223,7 @@ class TreeWalk {
     void look_up(int piece) {
         if (piece == piece_) return;
         piece_ = piece;
-        const int coarsest = curves_.pieces()[static_cast<std::size_t>(piece)].coarsest;
+        const int coarsest = curves_.piece(piece).coarsest;
         is_blend_ = is_fraction_ && finest_whole_ < coarsest;
         leaf_level_ = std::min(finest_whole_ + (is_blend_ ? 1 : 0), coarsest);
     }

@@ -174,7 +174,7 @@ bool ContactMachine::rebind(const Scene* scene) {
     if (scene == nullptr) return true;
     if (!(level >= 0.0 && level <= most_level)) return false;
     outlines_ = RenderedOutlines(*scene, level);
-    const auto pieces = static_cast<int>(scene->curves.pieces().size());
+    const auto pieces = scene->curves.piece_count();
     if (touched_piece_ < -1 || touched_piece_ >= pieces || !groove_.fits(outlines_)) return false;
     const int least = proxy_.state == ContactState::free ? 0 : 1;
     if (proxy_.contact_count < least || proxy_.contact_count > 2) return false;
@@ -307,7 +307,7 @@ void ContactMachine::fill(ContactReport& report) {
     }
     const Contact& at = proxy_.contacts[0];
     const CurveSet& curves = outlines_.scene().curves;
-    const Piece& piece = curves.pieces()[static_cast<std::size_t>(at.segment.piece)];
+    const Piece& piece = curves.piece(at.segment.piece);
     report.level = curves.rendered_level(at.segment.piece, outlines_.level());
     report.outline = piece.outline;
     report.piece = touched_piece_ = at.segment.piece;
@@ -322,7 +322,7 @@ void ContactMachine::fill(ContactReport& report) {
 /// end, further on.
 bool ContactMachine::is_beyond_end(int piece) {
     const CurveSet& curves = outlines_.scene().curves;
-    const Piece& line = curves.pieces()[static_cast<std::size_t>(piece)];
+    const Piece& line = curves.piece(piece);
     const int last = curves.rendered_count(piece, outlines_.level()) - 1;
     const auto is_beyond = [&](Position end, Position inward) {
         const Position off = proxy_.centre - end;

@@ -33,13 +33,13 @@ std::optional<Slide> onward(RenderedOutlines& outlines, const Attachment& at, co
 }
 
 constexpr double handover_margin_m = 2e-4;
-constexpr double fade_s = 0.03;               // of a handover
-constexpr double largest_fade_N = 0.015;      // in a tick
-constexpr double recovery_s = 0.05;           // of the strength, 0 to 1
-constexpr double valley_m = 1.5e-3;           // between two ridges, where both have a share
+constexpr double fade_s = 0.03;                  // of a handover
+constexpr double largest_fade_N = 0.015;         // in a tick
+constexpr double recovery_s = 0.05;              // of the strength, 0 to 1
+constexpr double valley_m = 1.5e-3;              // between two ridges, where both have a share
 constexpr double largest_level_push_N = 0.0075;  // by a change of level in a tick
-constexpr double largest_slide_N = 0.0075;    // by a slide that is late, in a tick
-constexpr double largest_hop_N = 0.015;       // across the inside of a bend
+constexpr double largest_slide_N = 0.0075;       // by a slide that is late, in a tick
+constexpr double largest_hop_N = 0.015;          // across the inside of a bend
 
 double blend(double before, double now, double share) {
     return before + share * (now - before);
@@ -77,8 +77,7 @@ Attachment slid(RenderedOutlines& outlines, Attachment at, Position handle, doub
 Attachment at_level(const CurveSet& curves, const Attachment& at, double from, double to) {
     const int piece = at.segment.piece;
     const double parameter = curves.outline_parameter(piece, from, at.segment.index, at.parameter);
-    const double from_start =
-        parameter - curves.pieces()[static_cast<std::size_t>(piece)].first_parameter;
+    const double from_start = parameter - curves.piece(piece).first_parameter;
     const int stride = 1 << static_cast<int>(curves.rendered_level(piece, to));
     const int last = curves.rendered_count(piece, to) - 1;
     const int index = std::clamp(static_cast<int>(from_start / stride), 0, last);

@@ -236,7 +236,7 @@ bool WallMotion::is_pair(SegmentRef half) const {
 /// A contact at the level before, in segments of the octave's finer level.
 Contact WallMotion::halved(Contact contact) const {
     const CurveSet& curves = before_.scene().curves;
-    const int coarsest = curves.pieces()[static_cast<std::size_t>(contact.segment.piece)].coarsest;
+    const int coarsest = curves.piece(contact.segment.piece).coarsest;
     if (change_.finer >= coarsest || change_.from < 1.0) return contact;
     contact.segment.index *= 2;
     if (!is_pair(contact.segment)) return contact;
@@ -249,7 +249,7 @@ Contact WallMotion::halved(Contact contact) const {
 /// Converts back, at the level after.
 Contact WallMotion::joined(Contact half) const {
     const CurveSet& curves = before_.scene().curves;
-    const int coarsest = curves.pieces()[static_cast<std::size_t>(half.segment.piece)].coarsest;
+    const int coarsest = curves.piece(half.segment.piece).coarsest;
     if (change_.finer >= coarsest || change_.to < 1.0) return half;
     if (is_pair(half.segment)) {
         half.parameter = 0.5 * (half.parameter + (half.segment.index % 2));

@@ -115,6 +115,10 @@ class CurveSet {
 
     [[nodiscard]] std::span<const Piece> pieces() const { return pieces_; }
 
+    [[nodiscard]] const Piece& piece(int i) const { return pieces_[static_cast<std::size_t>(i)]; }
+
+    [[nodiscard]] int piece_count() const { return static_cast<int>(pieces_.size()); }
+
     [[nodiscard]] std::span<const OutlineReport> reports() const { return reports_; }
 
     /// The coarsest level that any piece has.

@@ -192,7 +192,7 @@ void Guidance::begin_to_line(const Scene& scene, Position handle) {
     const Closest at =
         scene.tree.closest_point(scene.curves, handle, 0.0, line_reach_m, Budget{query_boxes, 0});
     if (at.segment.piece < 0) return end(GuidancePhase::stopped);
-    status_.outline = scene.curves.pieces()[static_cast<std::size_t>(at.segment.piece)].outline;
+    status_.outline = scene.curves.piece(at.segment.piece).outline;
     point_.go_straight(at.point, command_.speed_m_per_s);
 }
 
