@@ -1,6 +1,6 @@
 #include "haptics/servo/servo_step.h"
 
-#include "haptics/guidance/guidance.h"
+#include "haptics/guidance/frame.h"
 #include "haptics/probe/held_shapes.h"
 #include "haptics/servo/virtual_damping.h"
 
