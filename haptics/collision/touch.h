@@ -33,7 +33,7 @@ struct Touch {
 /// `to` comes as near to the segment as its radius, or as its distance at the start if that is
 /// less. Returns nothing if it does not come nearer by more than the tolerance. Radius 0 means a
 /// point: the first point of the way on the segment, including a touch at the start, decided
-/// exactly (crossing.h).
+/// exactly (crossing()).
 [[nodiscard]] std::optional<Touch> touch(Position from, Position to, double radius_m,
                                          const Segment& segment);
 

@@ -102,7 +102,7 @@ class ContactMachine {
     /// of the way is carried to the next tick. |handle - proxy| never grows by that. A handle that
     /// is not finite gives zero force and moves nothing. For the other modes see Groove::step(). A
     /// new mode takes over at once, a wall with the proxy at the handle, and the force fades over
-    /// (gap_fade.h). After that, and after a pop through, the proxy is as small as the place is.
+    /// (GapFade). After that, and after a pop through, the proxy is as small as the place is.
     [[nodiscard]] ContactReport step(Position handle, double level, const ContactSettings& settings,
                                      const Budget& budget, double dt_s = 1e-3);
 

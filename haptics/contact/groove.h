@@ -100,9 +100,9 @@ struct GrooveForce {
 /// than 0.015 N a tick. In ridge mode, both lines keep a share by their distances while both are
 /// near, so that a hand between two lines rests.
 ///
-/// Work on the hand: let U be the stored energy of the laws (capture_law.h) and F the force of the
+/// Work on the hand: let U be the stored energy of the laws (CaptureLaw) and F the force of the
 /// tick before. No tick leaves more than U - F dh + 1/2 K |dh|^2 plus what the account covers
-/// (energy_account.h: what lines have dissipated, and 0.1 mW). If sliding, handing over, or a
+/// (EnergyAccount: what lines have dissipated, and 0.1 mW). If sliding, handing over, or a
 /// change of level or stiffness would leave more, the strength of all is reduced, and comes back as
 /// it is covered. So no closed loop of the hand gains more than the sum of 1/2 K |dh|^2 and 0.1 mW.
 class Groove {

@@ -35,7 +35,7 @@ struct CurveOptions {
     /// 5).
     double keep_details = 1.0;
     /// Standard deviation per coordinate of the noise on the map's points (metres). Details are
-    /// shrunk on the levels that are mostly noise (denoising, paper section 5; shrink.h). 0: none.
+    /// shrunk on the levels that are mostly noise (denoising, paper section 5; wavelet.h). 0: none.
     double denoise_m = 0.0;
     /// Pins besides the map's corners, junctions and ends.
     std::vector<PinPlace> pins{};
