@@ -76,9 +76,7 @@ class CollisionTreeBuilder {
 
     CollisionTree build() {
         tree_.extents_.resize(curves_.point_count() - curves_.finest_count() + Fan::width - 1);
-        for (int piece = 0; piece < curves_.piece_count(); ++piece) {
-            bound_piece(piece);
-        }
+        for (int piece = 0; piece < curves_.piece_count(); ++piece) bound_piece(piece);
         if (!tree_.roots_.empty()) {
             tree_.bounds_.reserve(2 * tree_.roots_.size());
             tree_.bounds_.emplace_back();
@@ -117,7 +115,7 @@ class CollisionTreeBuilder {
     /// rest. O(2^scanned).
     [[nodiscard]] PackedExtents extents(int piece, int level, int j) const {
         constexpr int scanned = 3;
-        Growing box(segment(piece, level, j));
+        Growing box(curves_.rendered_segment(piece, level, j));
         const int finest = std::max(level - scanned, 0);
         for (int finer = level - 1; finer >= finest; --finer)
             add_points(piece, level, j, finer, box);
@@ -147,10 +145,6 @@ class CollisionTreeBuilder {
                         static_cast<std::size_t>(curves_.segment_count(piece, finer)));
     }
 
-    [[nodiscard]] Segment segment(int piece, int level, int j) const {
-        return curves_.rendered_segment(piece, level, j);
-    }
-
     /// Builds node `at` over roots [first, last), halved at the median of the longer side.
     void bound_roots(std::size_t at, std::size_t first, std::size_t last) {
         Bound bound = bound_of(first, last);
@@ -163,7 +157,8 @@ class CollisionTreeBuilder {
         const std::size_t middle = (first + last) / 2;
         const auto begin = tree_.roots_.begin();
         const auto place = [&](const Stretch& roots) {
-            const Segment s = segment(roots.piece, roots.level, roots.first + roots.count / 2);
+            const Segment s =
+                curves_.rendered_segment(roots.piece, roots.level, roots.first + roots.count / 2);
             return is_wide ? s.a.x + s.b.x : s.a.y + s.b.y;
         };
         std::nth_element(begin + static_cast<std::ptrdiff_t>(first),

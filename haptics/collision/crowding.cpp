@@ -206,7 +206,7 @@ void Crowding::between_roots(std::size_t a, std::size_t b) {
     }
 }
 
-void Crowding::compare(Part a, Part b, int level) {
+void Crowding::compare(SegmentRef a, SegmentRef b, int level) {
     if (are_neighbours(a, b, level)) {
         if (a.piece != b.piece) between_neighbours(a, b, level);
     } else {
@@ -215,7 +215,7 @@ void Crowding::compare(Part a, Part b, int level) {
 }
 
 /// Compares the ends of two pieces that share a pin, at every level.
-void Crowding::between_neighbours(Part a, Part b, int level) {
+void Crowding::between_neighbours(SegmentRef a, SegmentRef b, int level) {
     if (level == 0) return;
     const Parts of_a = children(a, level);
     const Parts of_b = children(b, level);
@@ -224,7 +224,7 @@ void Crowding::between_neighbours(Part a, Part b, int level) {
     }
 }
 
-void Crowding::between_strangers(Part a, Part b, int level) {
+void Crowding::between_strangers(SegmentRef a, SegmentRef b, int level) {
     if (left_ == 0) return;
     --left_;
     const Box box_a = tree_.node_box(curves_, {a.piece, level_of(a, level), a.index});
@@ -234,38 +234,36 @@ void Crowding::between_strangers(Part a, Part b, int level) {
 
 /// For two nodes that are not neighbours and whose boxes meet: neither is alone, and their children
 /// may meet.
-void Crowding::crowd(Part a, Part b, int level) {
+void Crowding::crowd(SegmentRef a, SegmentRef b, int level) {
     mark(a, level);
     mark(b, level);
     if (level == 0) return;
-    meetings_.push_back({level, {{{a.piece, a.index}, {b.piece, b.index}}}});
+    meetings_.push_back({level, {{a, b}}});
     const Parts of_a = children(a, level);
     const Parts of_b = children(b, level);
     for (int i = 0; i < of_a.count; ++i) {
-        for (int j = 0; j < of_b.count; ++j) {
-            between_strangers(of_a.at[i], of_b.at[j], level - 1);
-        }
+        for (int j = 0; j < of_b.count; ++j) between_strangers(of_a.at[i], of_b.at[j], level - 1);
     }
 }
 
-int Crowding::level_of(Part a, int level) const {
+int Crowding::level_of(SegmentRef a, int level) const {
     return std::min(level, curves_.piece(a.piece).coarsest);
 }
 
 /// Returns the nodes that replace it at the next finer level; level > 0.
-Crowding::Parts Crowding::children(Part a, int level) const {
+Crowding::Parts Crowding::children(SegmentRef a, int level) const {
     if (level == 0 || level_of(a, level) < level) return {{a, a}, 1};
     const int first = 2 * a.index;
     const bool is_paired = first + 1 < curves_.segment_count(a.piece, level - 1);
     return {{{a.piece, first}, {a.piece, first + 1}}, is_paired ? 2 : 1};
 }
 
-bool Crowding::is_last(Part a, int level) const {
+bool Crowding::is_last(SegmentRef a, int level) const {
     return a.index + 1 == curves_.segment_count(a.piece, level_of(a, level));
 }
 
-bool Crowding::are_neighbours(Part a, Part b, int level) const {
-    const auto follows = [&](Part before, Part after) {
+bool Crowding::are_neighbours(SegmentRef a, SegmentRef b, int level) const {
+    const auto follows = [&](SegmentRef before, SegmentRef after) {
         const Piece& piece = curves_.piece(before.piece);
         if (before.piece == after.piece && after.index == before.index + 1) return true;
         const int next = piece.is_closed ? before.piece : piece.next;
@@ -274,7 +272,7 @@ bool Crowding::are_neighbours(Part a, Part b, int level) const {
     return follows(a, b) || follows(b, a);
 }
 
-void Crowding::mark(Part a, int level) {
+void Crowding::mark(SegmentRef a, int level) {
     alone_[curves_.first_point(a.piece, level_of(a, level)) + static_cast<std::size_t>(a.index)] =
         false;
 }

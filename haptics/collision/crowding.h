@@ -59,16 +59,10 @@ class Crowding {
     [[nodiscard]] Meetings find_meetings();
 
   private:
-    /// A node as it takes part at a level: pieces with fewer levels take part with their coarsest
-    /// one.
-    struct Part {
-        int piece, index;
-
-        friend bool operator==(const Part&, const Part&) = default;
-    };
-
+    /// The nodes that replace one at the next finer level. A node takes part at a level by its
+    /// piece and index: pieces with fewer levels take part with their coarsest one.
     struct Parts {
-        Part at[2];
+        SegmentRef at[2];
         int count;
     };
 
@@ -77,17 +71,17 @@ class Crowding {
     void between_bounds(std::size_t a, std::size_t b);
     void within_roots(std::size_t a);
     void between_roots(std::size_t a, std::size_t b);
-    void between_neighbours(Part a, Part b, int level);
-    void between_strangers(Part a, Part b, int level);
-    void compare(Part a, Part b, int level);
-    void crowd(Part a, Part b, int level);
+    void between_neighbours(SegmentRef a, SegmentRef b, int level);
+    void between_strangers(SegmentRef a, SegmentRef b, int level);
+    void compare(SegmentRef a, SegmentRef b, int level);
+    void crowd(SegmentRef a, SegmentRef b, int level);
     void along_level(int piece, int level);
 
-    [[nodiscard]] int level_of(Part a, int level) const;
-    [[nodiscard]] Parts children(Part a, int level) const;
-    [[nodiscard]] bool are_neighbours(Part a, Part b, int level) const;
-    [[nodiscard]] bool is_last(Part a, int level) const;
-    void mark(Part a, int level);
+    [[nodiscard]] int level_of(SegmentRef a, int level) const;
+    [[nodiscard]] Parts children(SegmentRef a, int level) const;
+    [[nodiscard]] bool are_neighbours(SegmentRef a, SegmentRef b, int level) const;
+    [[nodiscard]] bool is_last(SegmentRef a, int level) const;
+    void mark(SegmentRef a, int level);
 
     const CollisionTree& tree_;
     const CurveSet& curves_;

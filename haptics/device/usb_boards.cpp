@@ -197,42 +197,30 @@ constexpr unsigned longest_send_ms = 10;
 
 }  // namespace
 
-struct UsbBoards::Context {
-    std::shared_ptr<libusb_context> libusb;
-};
-
 Result<UsbBoards> UsbBoards::create() {
     libusb_context* context = nullptr;
     const int error = libusb_init(&context);
     if (error != 0)
         return failure(std::string("the USB cannot be reached: ") +
                        libusb_strerror(static_cast<libusb_error>(error)));
-    return UsbBoards(
-        std::make_shared<Context>(Context{std::shared_ptr<libusb_context>(context, libusb_exit)}));
+    return UsbBoards(std::shared_ptr<libusb_context>(context, libusb_exit));
 }
-
-UsbBoards::UsbBoards(std::shared_ptr<Context> context) : context_(std::move(context)) {}
-
-UsbBoards::UsbBoards(UsbBoards&&) noexcept = default;
-UsbBoards& UsbBoards::operator=(UsbBoards&&) noexcept = default;
-UsbBoards::~UsbBoards() = default;
 
 std::vector<FoundBoard> UsbBoards::list(std::span<const BoardId> known) const {
     std::vector<FoundBoard> all;
-    for (Plugged& board : scan(context_->libusb.get(), known))
-        all.push_back(std::move(board.found));
+    for (Plugged& board : scan(context_.get(), known)) all.push_back(std::move(board.found));
     return all;
 }
 
 Result<FoundBoard> UsbBoards::find(std::span<const BoardId> known, std::string_view serial) const {
-    const std::vector<Plugged> boards = scan(context_->libusb.get(), known);
+    const std::vector<Plugged> boards = scan(context_.get(), known);
     const auto chosen = choose(boards, known, serial);
     if (!chosen) return tl::unexpected(chosen.error());
     return (*chosen)->found;
 }
 
 Result<OpenedBoard> UsbBoards::open(const FoundBoard& board, const UsbLinkOptions& options) const {
-    const std::vector<Plugged> boards = scan(context_->libusb.get(), std::span(&board.id, 1));
+    const std::vector<Plugged> boards = scan(context_.get(), std::span(&board.id, 1));
     const auto same = std::find_if(boards.begin(), boards.end(), [&](const Plugged& plugged) {
         return plugged.found.bus_path == board.bus_path && plugged.found.serial == board.serial;
     });
@@ -248,7 +236,7 @@ Result<OpenedBoard> UsbBoards::open(const FoundBoard& board, const UsbLinkOption
     const int node = ::open(node_of(bus, same->found.device_number).c_str(), O_RDWR | O_CLOEXEC);
     if (node < 0) return cannot(std::strerror(errno));
     libusb_device_handle* raw = nullptr;
-    int error = libusb_wrap_sys_device(context_->libusb.get(), node, &raw);
+    int error = libusb_wrap_sys_device(context_.get(), node, &raw);
     HandlePointer handle(raw, libusb_close);
     if (error == 0) {
         libusb_set_auto_detach_kernel_driver(raw, 1);
@@ -260,7 +248,7 @@ Result<OpenedBoard> UsbBoards::open(const FoundBoard& board, const UsbLinkOption
         ::close(node);
         return cannot(libusb_strerror(static_cast<libusb_error>(error)));
     }
-    return OpenedBoard{std::make_unique<UsbLink>(context_->libusb, handle.release(), node, *pipes,
+    return OpenedBoard{std::make_unique<UsbLink>(context_, handle.release(), node, *pipes,
                                                  options.send_time_out_ms),
                        {node, *pipes, board.bus_path}};
 }

@@ -15,7 +15,10 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
+
+struct libusb_context;
 
 namespace touchline {
 
@@ -71,12 +74,6 @@ class UsbBoards {
     /// Fails if the system has no USB.
     [[nodiscard]] static Result<UsbBoards> create();
 
-    UsbBoards(UsbBoards&&) noexcept;
-    UsbBoards& operator=(UsbBoards&&) noexcept;
-    UsbBoards(const UsbBoards&) = delete;
-    UsbBoards& operator=(const UsbBoards&) = delete;
-    ~UsbBoards();
-
     /// Returns every plugged board that the table knows, sorted by bus path. Running boards are
     /// opened for a moment to read the serial number and to see who may open them; nothing is sent
     /// to them.
@@ -94,11 +91,9 @@ class UsbBoards {
                                            const UsbLinkOptions& options = {}) const;
 
   private:
-    struct Context;
+    explicit UsbBoards(std::shared_ptr<libusb_context> context) : context_(std::move(context)) {}
 
-    explicit UsbBoards(std::shared_ptr<Context> context);
-
-    std::shared_ptr<Context> context_;
+    std::shared_ptr<libusb_context> context_;
 };
 
 struct UsbPantograph {

@@ -12,19 +12,30 @@ constexpr int most_advances = 24;
 constexpr double never = std::numeric_limits<double>::infinity();
 constexpr double near_enough_m = 1e-10;  // to the kept distance: the motion ends there
 
-/// Returns the first moment at which room + rate t - bend t^2 / 2 falls to 0; infinity if it never
-/// does.
-double exhausted(double room, double rate, double bend) {
-    if (room <= 0.0 && rate <= 0.0) return rate < 0.0 || bend > 0.0 ? 0.0 : never;
-    const double root = std::sqrt(rate * rate + 2.0 * bend * room);
-    if (rate < 0.0) return 2.0 * room / (root - rate);
-    return bend > 0.0 ? (root + rate) / bend : never;
+/// How the room beside an end goes on over a move: room + rate t - bend t^2 / 2.
+struct Falling {
+    double room, rate, bend;
+};
+
+/// The room of an edge's end beyond `reach` along a fixed direction.
+Falling falling(Position end, double reach, Direction n, Position origin, const ProbeMove& move) {
+    const Position arm = end - origin;
+    return {std::max(dot(n, end) - reach, 0.0), dot(n, move.by) + move.turn_rad * cross(arm, n),
+            move.turn_rad * move.turn_rad * norm(arm)};
+}
+
+/// Returns the first moment at which the room falls to 0; infinity if it never does.
+double exhausted(const Falling& f) {
+    if (f.room <= 0.0 && f.rate <= 0.0) return f.rate < 0.0 || f.bend > 0.0 ? 0.0 : never;
+    const double root = std::sqrt(f.rate * f.rate + 2.0 * f.bend * f.room);
+    if (f.rate < 0.0) return 2.0 * f.room / (root - f.rate);
+    return f.bend > 0.0 ? (root + f.rate) / f.bend : never;
 }
 
 /// Returns whether exhausted() is `share` or later: a falling parabola is above its ends in
 /// between.
-bool lasts(double room, double rate, double bend, double share) {
-    return room + share * (rate - 0.5 * bend * share) >= 0.0;
+bool lasts(const Falling& f, double share) {
+    return f.room + share * (f.rate - 0.5 * f.bend * share) >= 0.0;
 }
 
 /// Returns whether free_beside_line() would find `share` or more. This settles most pairs, and
@@ -32,27 +43,16 @@ bool lasts(double room, double rate, double bend, double share) {
 bool is_free_beside_line(const Segment& edge, const Segment& line, Direction n, Position origin,
                          const ProbeMove& move, double keep_m, double share) {
     const double reach = std::max(dot(n, line.a), dot(n, line.b)) + keep_m;
-    for (const Position end : {edge.a, edge.b}) {
-        const Position arm = end - origin;
-        const double rate = dot(n, move.by) + move.turn_rad * cross(arm, n);
-        const double bend = move.turn_rad * move.turn_rad * norm(arm);
-        if (!lasts(std::max(dot(n, end) - reach, 0.0), rate, bend, share)) return false;
-    }
-    return true;
+    return lasts(falling(edge.a, reach, n, origin, move), share) &&
+           lasts(falling(edge.b, reach, n, origin, move), share);
 }
 
 /// Goes until the ends of the edge are too near along a fixed direction.
 double free_beside_line(const Segment& edge, const Segment& line, Direction n, Position origin,
                         const ProbeMove& move, double keep_m) {
     const double reach = std::max(dot(n, line.a), dot(n, line.b)) + keep_m;
-    double free = never;
-    for (const Position end : {edge.a, edge.b}) {
-        const Position arm = end - origin;
-        const double rate = dot(n, move.by) + move.turn_rad * cross(arm, n);
-        const double bend = move.turn_rad * move.turn_rad * norm(arm);
-        free = std::min(free, exhausted(std::max(dot(n, end) - reach, 0.0), rate, bend));
-    }
-    return free;
+    return std::min({never, exhausted(falling(edge.a, reach, n, origin, move)),
+                     exhausted(falling(edge.b, reach, n, origin, move))});
 }
 
 /// Goes until the ends of the line are too near along a direction that turns with the edge.
@@ -66,7 +66,7 @@ double free_beside_edge(const Segment& edge, const Segment& line, Direction n, P
         const Position arm = end - origin;
         const double rate = dot(n, move.by) - move.turn_rad * dot(left_of(n), arm);
         const double bend = turn * (turn * (norm(arm) + way_m) + 2.0 * way_m);
-        free = std::min(free, exhausted(std::max(reach - dot(n, end), 0.0), rate, bend));
+        free = std::min(free, exhausted({std::max(reach - dot(n, end), 0.0), rate, bend}));
     }
     return free;
 }
