@@ -232,9 +232,7 @@ void ContactMachine::hold(Position handle, double level, const ContactSettings& 
     if (held.at.exists()) {
         proxy_.state = ContactState::edge;
         proxy_.contact_count = 1;
-        proxy_.contacts[0].segment = held.at.segment;
-        proxy_.contacts[0].parameter = held.at.parameter;
-        proxy_.contacts[0].side = held.side;
+        proxy_.contacts[0] = {held.at.segment, held.at.parameter, held.side, {}, 0.0, false};
     }
     report.transitions.add(proxy_.state);
 }

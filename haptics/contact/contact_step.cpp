@@ -141,11 +141,7 @@ ContactStep::Next ContactStep::move_on_edge() {
     const Contact& at = first();
     const Position pull = handle_ - proxy_.centre;
     const double depth = -dot(pull, at.normal);
-    if (depth < 0.0) {
-        proxy_.contact_count = 0;
-        enter(ContactState::free);
-        return Next::again;
-    }
+    if (depth < 0.0) return let_go();
     const Segment s = outlines_.segment(at.segment);
     const double way_m = dot(pull, direction_of(s.b - s.a));
     const double held_m = held_by_friction(settings_.friction, depth);
@@ -321,6 +317,14 @@ Passage ContactStep::passage_after(int index, int step) {
                    direction_of(sign * (after.b - after.a)), sign * sign_of(at.side), at.offset_m);
 }
 
+/// A vertex is left over its edge.
+ContactStep::Next ContactStep::let_go() {
+    proxy_.contact_count = 0;
+    enter(ContactState::edge);
+    enter(ContactState::free);
+    return Next::again;
+}
+
 void ContactStep::enter(ContactState state) {
     proxy_.state = state;
     report_->transitions.add(state);
@@ -346,8 +350,7 @@ void ContactStep::place_at_contact() {
 }
 
 void ContactStep::place_at_contact(const Segment& segment) {
-    const Contact& at = first();
-    place(point_of(segment, at.parameter) + along<Position>(at.normal, at.offset_m));
+    place(centre_of(segment, first()));
 }
 
 /// Finds what stops a motion: by a query, or among the neighbours of an edge that is alone.

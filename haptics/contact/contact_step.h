@@ -97,6 +97,7 @@ class ContactStep {
     bool rest_in_corner();
     [[nodiscard]] Passage passage_after(int index, int step);
 
+    Next let_go();
     Next move_round();
     Next move_at_corner();
 

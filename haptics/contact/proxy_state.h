@@ -56,6 +56,11 @@ struct Contact {
     bool is_round = false;   // at an end of the segment, the normal between those of its two edges
 };
 
+/// The centre of a proxy in a contact with this segment.
+[[nodiscard]] inline Position centre_of(const Segment& segment, const Contact& at) {
+    return point_of(segment, at.parameter) + along<Position>(at.normal, at.offset_m);
+}
+
 /// State 0: no contact counts. State 1: contacts[0], on the side of an edge. State 2: contacts[0]
 /// and, at a concave vertex or between two outlines, contacts[1]; or contacts[0] alone, round a
 /// convex vertex or a line's end.

@@ -205,12 +205,7 @@ ContactStep::Next ContactStep::move_round() {
     Contact& at = first();
     const Position vertex = point_of(outlines_.segment(at.segment), at.parameter);
     const Position pull = handle_ - vertex;
-    if (dot(pull, at.normal) > at.offset_m) {
-        proxy_.contact_count = 0;
-        enter(ContactState::edge);
-        enter(ContactState::free);
-        return Next::again;
-    }
+    if (dot(pull, at.normal) > at.offset_m) return let_go();
     Contact left_edge;
     Contact right_edge;
     const double to_left = arc_to(at, 1.0, left_edge);
@@ -261,10 +256,7 @@ ContactStep::Next ContactStep::move_round() {
             place_at_contact();
             return Next::again;
         case ArcGoal::End::free:
-            proxy_.contact_count = 0;
-            enter(ContactState::edge);
-            enter(ContactState::free);
-            return Next::again;
+            return let_go();
     }
     return Next::done;
 }
@@ -303,11 +295,7 @@ ContactStep::Next ContactStep::move_at_corner() {
     const Contact a = proxy_.contacts[0];
     const Contact b = proxy_.contacts[1];
     if (dot(pull, a.normal) >= 0.0 && dot(pull, b.normal) >= 0.0) {
-        if (!(norm(pull) > 0.0)) return Next::done;
-        proxy_.contact_count = 0;
-        enter(ContactState::edge);
-        enter(ContactState::free);
-        return Next::again;
+        return norm(pull) > 0.0 ? let_go() : Next::done;
     }
     double pull_a = 0.0;
     double pull_b = 0.0;
