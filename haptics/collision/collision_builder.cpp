@@ -161,10 +161,9 @@ class CollisionTreeBuilder {
                 curves_.rendered_segment(roots.piece, roots.level, roots.first + roots.count / 2);
             return is_wide ? s.a.x + s.b.x : s.a.y + s.b.y;
         };
-        std::nth_element(begin + static_cast<std::ptrdiff_t>(first),
-                         begin + static_cast<std::ptrdiff_t>(middle),
-                         begin + static_cast<std::ptrdiff_t>(last),
-                         [&](const auto& a, const auto& b) { return place(a) < place(b); });
+        std::ranges::nth_element(begin + static_cast<std::ptrdiff_t>(first),
+                                 begin + static_cast<std::ptrdiff_t>(middle),
+                                 begin + static_cast<std::ptrdiff_t>(last), {}, place);
         const std::size_t left = tree_.bounds_.size();
         bound.left = static_cast<std::int32_t>(left);
         tree_.bounds_[at] = bound;

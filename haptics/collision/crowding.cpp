@@ -36,7 +36,7 @@ class Changes {
         for (const Piece& piece : curves.pieces()) safe_.coarsest.push_back(piece.coarsest);
     }
 
-    void forbid_all() { std::fill(safe_.coarsest.begin(), safe_.coarsest.end(), 0); }
+    void forbid_all() { std::ranges::fill(safe_.coarsest, 0); }
 
     /// Looks at the pairs of one level, after those of all finer levels. A piece that stays behind
     /// stands still from then on, which may put it in the way of others, so this repeats until
@@ -74,8 +74,8 @@ class Changes {
     [[nodiscard]] bool do_meet(const MeetingNodes& pair) const {
         const std::vector<MovingSegment> one = segments(pair.nodes[0], pair.level);
         const std::vector<MovingSegment> other = segments(pair.nodes[1], pair.level);
-        return std::any_of(one.begin(), one.end(), [&](const MovingSegment& a) {
-            return std::any_of(other.begin(), other.end(), [&](const MovingSegment& b) {
+        return std::ranges::any_of(one, [&](const MovingSegment& a) {
+            return std::ranges::any_of(other, [&](const MovingSegment& b) {
                 return passes_over(a, b) || passes_over(b, a);
             });
         });
@@ -281,9 +281,7 @@ SafeLevels find_safe_levels(const CurveSet& curves, Meetings meetings) {
     Changes changes(curves);
     if (!meetings.is_complete) changes.forbid_all();
     auto& pairs = meetings.pairs;
-    std::sort(pairs.begin(), pairs.end(), [](const MeetingNodes& a, const MeetingNodes& b) {
-        return a.level != b.level ? a.level < b.level : a.nodes < b.nodes;
-    });
+    std::ranges::sort(pairs);
     const MeetingNodes* first = pairs.data();
     const MeetingNodes* const end = first + pairs.size();
     while (first != end) {

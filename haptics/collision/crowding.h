@@ -8,6 +8,7 @@
 #include "haptics/curve/curve_set.h"
 
 #include <array>
+#include <compare>
 #include <cstddef>
 #include <vector>
 
@@ -18,6 +19,8 @@ namespace touchline {
 struct MeetingNodes {
     int level = 0;  // > 0
     std::array<SegmentRef, 2> nodes;
+
+    friend auto operator<=>(const MeetingNodes&, const MeetingNodes&) = default;
 };
 
 struct Meetings {

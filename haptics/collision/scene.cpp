@@ -4,6 +4,7 @@
 #include "haptics/curve/level_error.h"
 
 #include <algorithm>
+#include <compare>
 #include <numeric>
 #include <tuple>
 
@@ -17,6 +18,8 @@ struct LabelStop {
     int piece = 0;
     int point = 0;
     int label = 0;
+
+    friend auto operator<=>(const LabelStop&, const LabelStop&) = default;
 };
 
 std::vector<LabelStop> stops_of(const CurveSet& curves, const CollisionTree& tree,
@@ -28,9 +31,7 @@ std::vector<LabelStop> stops_of(const CurveSet& curves, const CollisionTree& tre
         const int point = at.segment.index + (at.parameter < 0.5 ? 0 : 1);
         stops.push_back({at.segment.piece, point, static_cast<int>(i)});
     }
-    const auto key = [](const LabelStop& s) { return std::tuple(s.piece, s.point, s.label); };
-    std::sort(stops.begin(), stops.end(),
-              [&](const LabelStop& a, const LabelStop& b) { return key(a) < key(b); });
+    std::ranges::sort(stops);
     return stops;
 }
 
@@ -45,16 +46,14 @@ double length_m(std::span<const Position> points, int first, int last) {
 std::vector<int> in_order(std::span<const Piece> pieces) {
     std::vector<int> order(pieces.size());
     std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(), [&](int a, int b) {
-        const Piece& left = pieces[static_cast<std::size_t>(a)];
-        const Piece& right = pieces[static_cast<std::size_t>(b)];
-        return std::tuple(left.outline, left.first_parameter) <
-               std::tuple(right.outline, right.first_parameter);
+    std::ranges::sort(order, {}, [&](int i) {
+        const Piece& piece = pieces[static_cast<std::size_t>(i)];
+        return std::tuple(piece.outline, piece.first_parameter);
     });
     return order;
 }
 
-/// A stop at the very start of a piece belongs to the leg that ended there.
+/// `stops` are the piece's. One at its very start belongs to the leg that ended there.
 void add_piece(const CurveSet& curves, int index, std::span<const LabelStop> stops,
                std::vector<Leg>& legs) {
     const auto pieces = curves.pieces();
@@ -71,7 +70,7 @@ void add_piece(const CurveSet& curves, int index, std::span<const LabelStop> sto
     };
     int last_label = -1;
     for (const LabelStop& stop : stops) {
-        if (stop.piece != index || stop.point == from) continue;
+        if (stop.point == from) continue;
         if (stop.point >= end) {
             last_label = stop.label;
         } else {
@@ -105,13 +104,8 @@ std::vector<Leg> legs_of(const CurveSet& curves, const CollisionTree& tree,
     const std::vector<LabelStop> stops = stops_of(curves, tree, labels);
     std::vector<Leg> legs;
     for (const int piece : in_order(curves.pieces())) {
-        const auto first =
-            std::lower_bound(stops.begin(), stops.end(), piece,
-                             [](const LabelStop& s, int wanted) { return s.piece < wanted; });
-        const auto last =
-            std::upper_bound(first, stops.end(), piece,
-                             [](int wanted, const LabelStop& s) { return wanted < s.piece; });
-        add_piece(curves, piece, {first, last}, legs);
+        const auto own = std::ranges::equal_range(stops, piece, {}, &LabelStop::piece);
+        add_piece(curves, piece, own, legs);
     }
     add_up_runs(legs);
     return legs;

@@ -112,7 +112,7 @@ bool is_near_the_centre(Position p) {
 Result<void> check(const std::vector<Outline>& outlines) {
     for (std::size_t i = 0; i < outlines.size(); ++i) {
         const auto& points = outlines[i].points;
-        if (std::all_of(points.begin(), points.end(), is_near_the_centre)) continue;
+        if (std::ranges::all_of(points, is_near_the_centre)) continue;
         return failure(fmt::format(
             "outline {} has a point that is not a number or lies more than 1 m from the "
             "centre; check the map's viewBox and units (millimetres)",
@@ -125,7 +125,7 @@ bool is_clean(const Outline& outline) {
     const auto& points = outline.points;
     if (points.size() < (outline.is_closed ? 3 : 2)) return false;
     if (outline.is_closed && is_repeated(points.front(), points.back())) return false;
-    return std::adjacent_find(points.begin(), points.end(), is_repeated) == points.end();
+    return std::ranges::adjacent_find(points, is_repeated) == points.end();
 }
 
 std::vector<Position> without_repeats(const Outline& outline) {
@@ -178,8 +178,8 @@ void cut(const Outline& outline, int index, const std::vector<std::size_t>& pins
         const bool is_last = k + 1 == stretches;
         const std::size_t to = k + 1 < pins.size() ? pins[k + 1] : pins[0] + count;
         out.push_back({line_between(outline.points, pins[k], to), index, false,
-                       !is_last || outline.is_closed,
-                       std::binary_search(corners.begin(), corners.end(), pins[k]), first});
+                       !is_last || outline.is_closed, std::ranges::binary_search(corners, pins[k]),
+                       first});
     }
 }
 
@@ -187,12 +187,10 @@ void cut(const Outline& outline, int index, const std::vector<std::size_t>& pins
 void add_pin(const Outline& outline, Position place, std::vector<std::size_t>& pins) {
     const auto& points = outline.points;
     const auto nearest =
-        std::min_element(points.begin(), points.end(), [&](Position p, Position q) {
-            return dot(p - place, p - place) < dot(q - place, q - place);
-        });
+        std::ranges::min_element(points, {}, [&](Position p) { return dot(p - place, p - place); });
     if (nearest == points.end()) return;
     const auto vertex = static_cast<std::size_t>(nearest - points.begin());
-    const auto at = std::lower_bound(pins.begin(), pins.end(), vertex);
+    const auto at = std::ranges::lower_bound(pins, vertex);
     if (at == pins.end() || *at != vertex) pins.insert(at, vertex);
 }
 
@@ -244,15 +242,13 @@ class CurveSetBuilder {
     [[nodiscard]] double expected_points() const {
         double points = 0.0;
         for (std::size_t i = 0; i < stretches_.size(); ++i) {
-            points += options_.resample ? static_cast<double>(spacing_.segments[i]) + 1.0
-                                        : expected_split(stretches_[i]);
+            const OutlineStretch& stretch = stretches_[i];
+            points += options_.resample
+                          ? static_cast<double>(spacing_.segments[i]) + 1.0
+                          : 2.0 * polyline_length_m(stretch.line) / spacing_m(stretch) +
+                                static_cast<double>(stretch.line.size());
         }
         return points;
-    }
-
-    [[nodiscard]] double expected_split(const OutlineStretch& stretch) const {
-        return 2.0 * polyline_length_m(stretch.line) / spacing_m(stretch) +
-               static_cast<double>(stretch.line.size());
     }
 
     [[nodiscard]] double spacing_m(const OutlineStretch& stretch) const {
@@ -286,7 +282,7 @@ class CurveSetBuilder {
             const std::vector<Position> smooth = reconstruct(curve);
             const auto outline = static_cast<std::size_t>(stretch.outline);
             add_moves(outline, points, smooth, outlines_[outline].points.size());
-            std::copy(smooth.begin(), smooth.end(), stretch.line.begin());
+            std::ranges::copy(smooth, stretch.line.begin());
             if (stretch.is_closed) stretch.line.back() = stretch.line.front();
         }
     }
@@ -377,7 +373,7 @@ class CurveSetBuilder {
         std::vector<Position> details(set_.finest_count_ / 2);
         for (std::size_t i = 0; i < firsts_.size(); ++i) {
             const auto piece = static_cast<int>(i);
-            std::copy(firsts_[i].begin(), firsts_[i].end(), points_of(piece, 0).begin());
+            std::ranges::copy(firsts_[i], points_of(piece, 0).begin());
             CurveShape shape = shapes_[i];
             for (int level = 0; level < halvings_[i]; ++level) {
                 analyze(points_of(piece, level), shape, points_of(piece, level + 1), details);
@@ -440,13 +436,9 @@ class CurveSetBuilder {
 };
 
 Result<CurveSet> CurveSet::build(const TactileMap& map, const CurveOptions& options) {
-    if (const auto checked = check(map.outlines); !checked) {
-        return tl::unexpected(checked.error());
-    }
+    if (const auto checked = check(map.outlines); !checked) return tl::unexpected(checked.error());
     const auto& outlines = map.outlines;
-    if (std::all_of(outlines.begin(), outlines.end(), is_clean)) {
-        return CurveSetBuilder(outlines, options).build();
-    }
+    if (std::ranges::all_of(outlines, is_clean)) return CurveSetBuilder(outlines, options).build();
     const std::vector<Outline> repaired = cleaned(outlines);
     return CurveSetBuilder(repaired, options).build();
 }

@@ -87,9 +87,8 @@ class LineCounts {
     };
 
     bool fits(std::size_t count) {
-        for (const Tried& tried : tried_) {
-            if (tried.count == count) return tried.fits;
-        }
+        const auto tried = std::ranges::find(tried_, count, &Tried::count);
+        if (tried != tried_.end()) return tried->fits;
         const bool does_fit = touchline::deviation_m(line_.points, resample(line_.points, count),
                                                      scene_tolerance_m) <= scene_tolerance_m;
         tried_.push_back({count, does_fit});
@@ -229,7 +228,7 @@ std::vector<Position> split_edges(std::vector<Position> line, double spacing_m) 
     const auto is_long = [&](Position a, Position b) {
         return dot(b - a, b - a) > spacing_m * spacing_m;
     };
-    if (std::adjacent_find(line.begin(), line.end(), is_long) == line.end()) return line;
+    if (std::ranges::adjacent_find(line, is_long) == line.end()) return line;
     std::vector<Position> out{line.front()};
     for (std::size_t i = 1; i < line.size(); ++i) {
         const Position e = line[i] - line[i - 1];
@@ -320,13 +319,13 @@ double median(std::vector<double> values) {
         std::vector<double> sample;
         const std::size_t stride = values.size() / samples;
         for (std::size_t i = 0; i < values.size(); i += stride) sample.push_back(values[i]);
-        std::sort(sample.begin(), sample.end());
+        std::ranges::sort(sample);
         const double low = sample[sample.size() * 45 / 100];
         const double high = sample[sample.size() * 55 / 100];
         const auto is_below = [low](double value) { return value < low; };
         const auto is_far = [low, high](double value) { return value < low || value > high; };
-        const auto below = std::count_if(values.begin(), values.end(), is_below);
-        const auto far = std::count_if(values.begin(), values.end(), is_far);
+        const auto below = std::ranges::count_if(values, is_below);
+        const auto far = std::ranges::count_if(values, is_far);
         if (rank >= below && rank < below + std::ssize(values) - far) {
             std::erase_if(values, is_far);
             rank -= below;

@@ -297,7 +297,7 @@ double detail_threshold(std::span<const Decomposition> curves, double keep) {
     const auto kept = static_cast<std::size_t>(std::ceil(keep * static_cast<double>(sizes.size())));
     if (kept >= sizes.size()) return 0.0;
     const auto at = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() - kept);
-    if (kept == 0) return *std::max_element(sizes.begin(), sizes.end()) * 2.0 + 1.0;
+    if (kept == 0) return std::ranges::max(sizes) * 2.0 + 1.0;
     std::nth_element(sizes.begin(), at, sizes.end());
     return *at;
 }

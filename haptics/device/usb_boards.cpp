@@ -124,7 +124,7 @@ void look_at(FoundBoard& found, libusb_device* device) {
 std::optional<Plugged> recognise(libusb_device* device, std::span<const BoardId> known) {
     libusb_device_descriptor descriptor{};
     if (libusb_get_device_descriptor(device, &descriptor) != 0) return std::nullopt;
-    const auto id = std::find_if(known.begin(), known.end(), [&](const BoardId& candidate) {
+    const auto id = std::ranges::find_if(known, [&](const BoardId& candidate) {
         return candidate.vendor == descriptor.idVendor && candidate.product == descriptor.idProduct;
     });
     if (id == known.end()) return std::nullopt;
@@ -143,9 +143,7 @@ std::vector<Plugged> scan(libusb_context* context, std::span<const BoardId> know
     for (ssize_t i = 0; i < count; ++i)
         if (auto board = recognise(devices[i], known)) boards.push_back(std::move(*board));
     if (count >= 0) libusb_free_device_list(devices, 1);
-    std::sort(boards.begin(), boards.end(), [](const Plugged& a, const Plugged& b) {
-        return a.found.bus_path < b.found.bus_path;
-    });
+    std::ranges::sort(boards, {}, [](const Plugged& board) { return board.found.bus_path; });
     return boards;
 }
 
@@ -221,7 +219,7 @@ Result<FoundBoard> UsbBoards::find(std::span<const BoardId> known, std::string_v
 
 Result<OpenedBoard> UsbBoards::open(const FoundBoard& board, const UsbLinkOptions& options) const {
     const std::vector<Plugged> boards = scan(context_.get(), std::span(&board.id, 1));
-    const auto same = std::find_if(boards.begin(), boards.end(), [&](const Plugged& plugged) {
+    const auto same = std::ranges::find_if(boards, [&](const Plugged& plugged) {
         return plugged.found.bus_path == board.bus_path && plugged.found.serial == board.serial;
     });
     if (same == boards.end()) return failure(name_of(board) + " is no longer plugged in");

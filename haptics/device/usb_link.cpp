@@ -229,8 +229,7 @@ void UsbLink::handle_events(double longest_s) {
 }
 
 bool UsbLink::is_anything_under_way() const {
-    return is_sending_ || std::any_of(in_.begin(), in_.end(),
-                                      [](const InTransfer& in) { return in.is_under_way; });
+    return is_sending_ || std::ranges::any_of(in_, &InTransfer::is_under_way);
 }
 
 void UsbLink::cancel_all() {

@@ -39,10 +39,6 @@ Force clamped(Force force, double most_N) {
     return size_N <= most_N ? force : most_N / size_N * force;
 }
 
-bool is_before(const Leg& leg, int outline) {
-    return leg.outline < outline;
-}
-
 }  // namespace
 
 void LeadingPoint::go_straight(Position to, double speed_m_per_s) {
@@ -179,10 +175,9 @@ void Guidance::begin_tour(const Scene& scene) {
     next_leg_ = 0;
     end_leg_ = count;
     if (command_.outline >= 0) {
-        const auto first = std::lower_bound(all.begin(), all.end(), command_.outline, is_before);
-        const auto last = std::lower_bound(first, all.end(), command_.outline + 1, is_before);
-        next_leg_ = static_cast<int>(first - all.begin());
-        end_leg_ = static_cast<int>(last - all.begin());
+        const auto own = std::ranges::equal_range(all, command_.outline, {}, &Leg::outline);
+        next_leg_ = static_cast<int>(own.begin() - all.begin());
+        end_leg_ = static_cast<int>(own.end() - all.begin());
     }
     if (next_leg_ == end_leg_) return end(GuidancePhase::stopped);
     go_on(scene);
