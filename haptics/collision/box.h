@@ -114,6 +114,8 @@ struct Approach {
 /// Returns the corners counter-clockwise.
 [[nodiscard]] std::array<Position, 4> corners_of(const Box& box);
 
+/// The extents of a box in 8 bytes: shares of the segment's length as the upper halves of floats,
+/// rounded outward by less than 1 %.
 class PackedExtents {
   public:
     PackedExtents() = default;

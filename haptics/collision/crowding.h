@@ -47,6 +47,8 @@ struct SafeLevels {
 /// keeps its levels. Returns none if the lost levels are coarser than a hand at 0.5 m/s asks for.
 [[nodiscard]] std::vector<PinPlace> pins_for(const CurveSet& curves, const SafeLevels& safe);
 
+/// Walks down from the hierarchy over pairs of boxes that meet, so that distant boxes are never
+/// compared.
 class Crowding {
   public:
     /// Boxes nearer than twice `reach_m` crowd each other.

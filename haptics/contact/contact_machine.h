@@ -18,8 +18,9 @@
 
 namespace touchline {
 
-/// What is missing from the force before the change. It shrinks by 20 N/s: 0.02 N a tick, 50 ms for
-/// 1 N. Its work on a hand at speed v is at most gap^2 v / (40 N/s).
+/// Joins the forces before and after a change that the hand did not make: a switch of mode, or a
+/// wall that lets the hand through. What is missing from the force before the change shrinks by 20
+/// N/s: 0.02 N a tick, 50 ms for 1 N. Its work on a hand at speed v is at most gap^2 v / (40 N/s).
 class GapFade {
   public:
     /// From here on the force continues from `before`, although the change made it `after`.
@@ -44,6 +45,7 @@ class GapFade {
     Force gap_;
 };
 
+/// A wall that lets a determined hand through: one that pushes hard, for a while, at one place.
 class PopThrough {
   public:
     /// Advances one tick of `dt_s`, before the proxy moves. Once K |handle - proxy| has been at

@@ -10,7 +10,7 @@
 
 namespace touchline {
 
-/// d: distance, w: capture width, K: stiffness.
+/// The force of a line on a hand near it, by distance. d: distance, w: capture width, K: stiffness.
 ///   groove  K d (1 - (d/w)^2)^2 towards the line, at most 0.287 K w
 ///   ridge   the same, away from it
 ///   stay    K d (1 - (d/w)^8) towards it: stiff nearly to the edge, at most 0.676 K w, so that

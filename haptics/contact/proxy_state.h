@@ -113,6 +113,8 @@ class StateTrail {
     int size_ = 1;
 };
 
+/// Limits the work that a moving wall does on the hand. A change of level under the hand does work,
+/// so the hand must have given that energy before, or the change waits.
 /// The balance is never negative and at most 2 mJ. It leaks at a rate of 1/s, so that work done
 /// long ago does not pay for a wall that rings now.
 class EnergyAccount {

@@ -196,6 +196,7 @@ void add_pin(const Outline& outline, Position place, std::vector<std::size_t>& p
 
 }  // namespace
 
+/// Cuts the outlines at pins, places the level-0 points and transforms.
 class CurveSetBuilder {
   public:
     /// The outlines must outlive the builder.

@@ -23,6 +23,8 @@
 
 namespace touchline {
 
+/// Units of one kind, as far as two stops tell them from others. The reading between the stops is a
+/// turn times a count, so a stop in another place, another encoder or other links may read alike.
 struct KnownUnits {
     double turn_rad = 0.0;  // both joints together, from stop to stop
     double scale = 1.0;   // true turn over the turn that a board reports, driven as the chosen kind

@@ -28,6 +28,10 @@ struct MassState {
     Velocity velocity;
 };
 
+/// A device's tip and the hand that holds it: the one integrator behind every simulation.
+///   m x'' = F + k_h (x_d - x) + b_h (x_d' - x') - b x' - Coulomb friction
+/// Semi-implicit: damping and friction are implicit, so neither can create energy, and friction
+/// holds exactly. Threads: a plain value. No allocation.
 class TipDynamics {
   public:
     /// Starts at rest at `start`, as does the hand.
@@ -60,6 +64,9 @@ class TipDynamics {
     MassState hand_state_;
 };
 
+/// The same for a turning handle and the fingers that hold it:
+///   I phi'' = tau + k (phi_d - phi) + c (phi_d' - phi') - b phi' - Coulomb friction
+/// Threads: a plain value. No allocation.
 class HandleDynamics {
   public:
     /// Starts at rest at an angle. The fingers hold the handle at 10 mm from its axis.
@@ -74,8 +81,6 @@ class HandleDynamics {
 
     [[nodiscard]] double angle_rad() const { return angle_rad_; }
 
-    [[nodiscard]] double speed_rad_per_s() const { return speed_rad_per_s_; }
-
   private:
     TurningHandle handle_;
     HandModel hand_;
@@ -83,8 +88,9 @@ class HandleDynamics {
     double speed_rad_per_s_ = 0.0;
 };
 
-/// Threads: one at a time; another thread may lead the path if the path allows it. No allocation
-/// after construction.
+/// The mechanics of a pantograph and the hand that holds it. Boards, delays and counts, which lie
+/// between a program and the motors, are not modelled here. Threads: one at a time; another thread
+/// may lead the path if the path allows it. No allocation after construction.
 class PantographPlant {
   public:
     /// The tip starts at rest where the path starts, or at the centre of the drawing area if that

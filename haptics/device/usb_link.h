@@ -18,8 +18,10 @@
 
 namespace touchline {
 
-/// Threads: step() one at a time, and it neither waits nor allocates. The destructor waits for a
-/// transfer that is under way; the system may take some seconds to give it up.
+/// Clears halted endpoints on a thread of its own: libusb can only do so with a control transfer
+/// that it waits for, and a tick must not wait. Threads: step() one at a time, and it neither waits
+/// nor allocates. The destructor waits for a transfer that is under way; the system may take some
+/// seconds to give it up.
 class StallClearer {
   public:
     /// `handle` must outlive it.

@@ -80,6 +80,8 @@ class SpeedProfile {
     double speed_m_per_s_ = 0.0;
 };
 
+/// The point that leads the hand: straight to a place, or along the outlines up to the next resting
+/// place.
 class LeadingPoint {
   public:
     /// Puts the point at p, at rest.

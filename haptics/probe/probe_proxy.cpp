@@ -333,6 +333,7 @@ ProbeContact ProbeProxy::contact_at(const NearPair& pair) {
     return contact;
 }
 
+/// Changes the rendered level under the shape, as a motion of the lines.
 void ProbeProxy::change_level(double level, const ProbePose& handle, const Springs& springs,
                               Spender& spender) {
     const double from = front_.level();

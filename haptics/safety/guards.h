@@ -11,8 +11,9 @@
 
 namespace touchline {
 
-/// Sums the plain work of the told force, whatever a spring claims to have stored: a wall holds
-/// only a few mJ. Forgotten in 1 s; energy that the hand gave is no credit.
+/// Measures the energy that the device gave the hand in the last second, and damps or faults if it
+/// is too much. Sums the plain work of the told force, whatever a spring claims to have stored: a
+/// wall holds only a few mJ. Forgotten in 1 s; energy that the hand gave is no credit.
 class EnergyGuard {
   public:
     /// Advances one tick of dt_s > 0 in which the handle moved under `force`, and turned under a
@@ -44,6 +45,8 @@ class EnergyGuard {
     double given_J_ = 0.0;
 };
 
+// Force never drives on a hand that is already fast, and a hand faster than hands can be is a
+// fault.
 inline constexpr double braked_m_per_s = 1.0;      // from here on force only brakes
 inline constexpr double too_fast_m_per_s = 1.5;    // a fault ...
 inline constexpr double slow_again_m_per_s = 0.2;  // ... until it was slower than this ...
@@ -85,6 +88,8 @@ class SpeedWatch {
 /// it, but without force.
 enum class Sample : std::uint8_t { good, held, jumped };
 
+/// A handle cannot jump, so a position too far from the last one is the encoder's error, not the
+/// hand's motion.
 class PositionGuard {
   public:
     /// `count_m` > 0: the tip's motion for one encoder count.
@@ -121,6 +126,7 @@ class PositionGuard {
     int held_ = 0;  // ticks in a row
 };
 
+/// Estimates how warm the motors are from the torques told, and how much force that leaves.
 /// A first-order model. A rise of 1 is the rated one, which the continuous torque reaches in the
 /// end. Heat goes with the square of the current, and so of the torque.
 class MotorHeat {
@@ -169,6 +175,8 @@ struct HandleLimits {
     double arm_torque_Nm = 1e-3;    // armed: the wanted torque is small below this
 };
 
+/// Limits the torque of a motor at the handle: its size, its heat and its rise, and it never drives
+/// on a fast turn. haptics/safety/force_chain.h decides whether the motor may act at all.
 class HandleLimit {
   public:
     explicit HandleLimit(const HandleLimits& limits)
