@@ -41,7 +41,17 @@ struct Box {
 /// The extent of something along and across an axis, in axis lengths times metres.
 struct Shadow {
     double along_low = 0.0, along_high = 0.0, across_low = 0.0, across_high = 0.0;
+
+    /// Grows to hold another one along the same axis.
+    void hold(const Shadow& other) {
+        along_low = std::min(along_low, other.along_low);
+        along_high = std::max(along_high, other.along_high);
+        across_low = std::min(across_low, other.across_low);
+        across_high = std::max(across_high, other.across_high);
+    }
 };
+
+inline constexpr Shadow no_shadow{INFINITY, -INFINITY, INFINITY, -INFINITY};
 
 /// The shadow of a box along an axis that starts at `origin`.
 [[nodiscard]] inline Shadow shadow(const Box& box, Position origin, Position axis) {

@@ -9,13 +9,12 @@
 #include <cstddef>
 #include <cstring>
 #include <filesystem>
-#include <iomanip>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <utility>
 
 #include <fcntl.h>
+#include <fmt/core.h>
 #include <libusb.h>
 #include <linux/usbdevice_fs.h>
 #include <sys/ioctl.h>
@@ -33,17 +32,11 @@ struct Plugged {
 };
 
 std::string ids_of(const BoardId& id) {
-    std::ostringstream text;
-    text << std::hex << std::setfill('0') << std::setw(4) << id.vendor << ':' << std::setw(4)
-         << id.product;
-    return text.str();
+    return fmt::format("{:04x}:{:04x}", id.vendor, id.product);
 }
 
 std::string node_of(int bus, int device_number) {
-    std::ostringstream node;
-    node << "/dev/bus/usb/" << std::setfill('0') << std::setw(3) << bus << '/' << std::setw(3)
-         << device_number;
-    return node.str();
+    return fmt::format("/dev/bus/usb/{:03}/{:03}", bus, device_number);
 }
 
 // Describes the process that has the node open.
