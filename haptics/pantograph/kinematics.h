@@ -27,6 +27,10 @@ struct Jacobian {
     TipPerTurn joint_1, joint_2;
 };
 
+[[nodiscard]] inline bool is_finite(const Jacobian& j) {
+    return is_finite(j.joint_1) && is_finite(j.joint_2);
+}
+
 struct Pose {
     Position p_DH;
     Jacobian jacobian;  // finite; a column of length 0 is a singular pose
