@@ -131,8 +131,8 @@ void Crowding::walk() {
 void Crowding::within_hierarchy(std::size_t bound) {
     const auto left = tree_.bounds_[bound].left;
     if (left < 0) {
-        within_roots(static_cast<std::size_t>(-left - 1));
-        return;
+        const auto roots = static_cast<std::size_t>(-left - 1);
+        return between_roots(roots, roots);
     }
     const auto child = static_cast<std::size_t>(left);
     within_hierarchy(child);
@@ -163,16 +163,6 @@ void Crowding::between_bounds(std::size_t a, std::size_t b) {
     }
 }
 
-void Crowding::within_roots(std::size_t a) {
-    const Stretch& roots = tree_.roots_[a];
-    for (int i = 0; i < roots.count; ++i) {
-        for (int j = i + 1; j < roots.count; ++j) {
-            compare({roots.piece, roots.first + i}, {roots.piece, roots.first + j},
-                    curves_.coarsest());
-        }
-    }
-}
-
 /// Compares nodes that are not neighbours although their parents are: the next but one, and from an
 /// even node the one after that. All others of the piece are met through parents that meet.
 void Crowding::along_level(int piece, int level) {
@@ -195,11 +185,12 @@ void Crowding::along_level(int piece, int level) {
     }
 }
 
+/// Compares the nodes of two leaves of the hierarchy, or of one with each other.
 void Crowding::between_roots(std::size_t a, std::size_t b) {
     const Stretch& roots_a = tree_.roots_[a];
     const Stretch& roots_b = tree_.roots_[b];
     for (int i = 0; i < roots_a.count; ++i) {
-        for (int j = 0; j < roots_b.count; ++j) {
+        for (int j = a == b ? i + 1 : 0; j < roots_b.count; ++j) {
             compare({roots_a.piece, roots_a.first + i}, {roots_b.piece, roots_b.first + j},
                     curves_.coarsest());
         }

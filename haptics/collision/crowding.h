@@ -74,7 +74,6 @@ class Crowding {
     void walk();
     void within_hierarchy(std::size_t bound);
     void between_bounds(std::size_t a, std::size_t b);
-    void within_roots(std::size_t a);
     void between_roots(std::size_t a, std::size_t b);
     void between_neighbours(SegmentRef a, SegmentRef b, int level);
     void between_strangers(SegmentRef a, SegmentRef b, int level);
