@@ -436,18 +436,15 @@ void Homing::miss(double misfit_m) {
 }
 
 bool DriftWatch::step(JointAngles angles, double dt_s) {
-    const JointAngles way = plan_.check - plan_.home;
-    const auto past = [](double angle, double way_of_joint) {
-        return way_of_joint < 0.0 ? -angle : angle;
-    };
     const double limit = beyond_m / plan_.arm_m;
-    const JointAngles from_home = angles - plan_.home;
-    const JointAngles from_check = angles - plan_.check;
-    const bool is_beyond_home =
-        past(from_home.x, way.x) < -limit && past(from_home.y, way.y) < -limit;
-    const bool is_beyond_check =
-        past(from_check.x, way.x) > limit && past(from_check.y, way.y) > limit;
-    beyond_s_ = is_beyond_home || is_beyond_check ? beyond_s_ + dt_s : 0.0;
+    const auto is_past = [&](JointAngles stop, JointAngles other) {
+        const JointAngles off = angles - stop;
+        const JointAngles outward = stop - other;
+        return std::copysign(1.0, outward.x) * off.x > limit &&
+               std::copysign(1.0, outward.y) * off.y > limit;
+    };
+    const bool is_beyond = is_past(plan_.home, plan_.check) || is_past(plan_.check, plan_.home);
+    beyond_s_ = is_beyond ? beyond_s_ + dt_s : 0.0;
     has_drifted_ = has_drifted_ || beyond_s_ >= beyond_s;
     return has_drifted_;
 }
