@@ -31,14 +31,10 @@ JointAngles stretched_of(const DeviceProfile& kind) {
     return kind.home_place == StopPlace::towards ? kind.home : kind.check.angles;
 }
 
-bool have_same_links(const Geometry& a, const Geometry& b) {
-    return a.proximal_m == b.proximal_m && a.distal_m == b.distal_m && a.base_m == b.base_m;
-}
-
 /// Whether a unit of the kind could be taken for one of the chosen kind and would then have wrong
 /// links or wrong stops.
 bool is_another(const DeviceProfile& kind, const DeviceProfile& chosen) {
-    if (!have_same_links(kind.geometry, chosen.geometry)) return true;
+    if (kind.geometry != chosen.geometry) return true;
     const JointAngles off = bent_of(kind) - bent_of(chosen);
     const double off_m = chosen.geometry.proximal_m * std::max(std::abs(off.x), std::abs(off.y));
     return kind.handle.has_value() == chosen.handle.has_value() && off_m > kinds_apart_m;
@@ -53,7 +49,7 @@ void add_known(const DeviceProfile& kind, const DeviceProfile& chosen, bool are_
                      1.0,
                      are_own,
                      is_straight(bent_of(kind)),
-                     have_same_links(kind.geometry, chosen.geometry),
+                     kind.geometry == chosen.geometry,
                      kind.geometry,
                      is_bent_at_check ? bent_of(kind) : stretched_of(kind)};
     const double driven = turn_of_both_rad(chosen.counts_per_turn);

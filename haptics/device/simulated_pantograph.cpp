@@ -39,10 +39,6 @@ Position start_of(const DeviceProfile& profile, const IntendedPath& path) {
     return inverse(profile.geometry, device_from_picture(profile, wanted)) ? wanted : Position{};
 }
 
-TipParameters tip_of(const MechanicsProfile& mechanics) {
-    return {mechanics.tip_mass_kg, mechanics.viscous_Ns_per_m, mechanics.coulomb_N};
-}
-
 constexpr double longest_gap_s = 0.1;
 
 // As the firmware does, except that a torque that is not finite counts as zero.
@@ -107,7 +103,9 @@ PantographPlant::PantographPlant(const DeviceProfile& profile, const HandModel& 
     : profile_(profile),
       longest_step_s_(longest_step_s),
       path_(std::move(path)),
-      dynamics_(tip_of(profile.mechanics), hand, start_of(profile, *path_)) {
+      dynamics_({profile.mechanics.tip_mass_kg, profile.mechanics.viscous_Ns_per_m,
+                 profile.mechanics.coulomb_N},
+                hand, start_of(profile, *path_)) {
     if (profile.handle) handle_.emplace(*profile.handle, hand, path_->at(0.0).angle_rad);
 }
 

@@ -17,6 +17,8 @@ struct Geometry {
     double proximal_m = 0.0;  // l, motor axis to elbow, > 0
     double distal_m = 0.0;    // L, elbow to tip, > 0
     double base_m = 0.0;      // d, between the motor axes, >= 0
+
+    friend bool operator==(const Geometry&, const Geometry&) = default;
 };
 
 /// Motion of the tip for a turn of one joint (m/rad).
