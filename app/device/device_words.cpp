@@ -65,6 +65,8 @@ std::string noticed(const HomingView& view) {
                 100.0 * view.turn_share);
         case HomingRemark::other_kind:
             return "Then this handle is not of the kind that was chosen. We start again. ";
+        case HomingRemark::either_kind:
+            return "Perhaps this handle is of another kind. We start again. ";
         case HomingRemark::lost_count:
             return "The board lost count. We start again. ";
         case HomingRemark::reversed:

@@ -4,6 +4,7 @@
 
 #include "config/types/vec2.h"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace touchline {
@@ -20,6 +21,9 @@ enum class ContactEventKind : std::uint8_t {
     area_left,
     popped_through,  // through a wall that gave way
 };
+
+inline constexpr std::size_t contact_event_count =
+    static_cast<std::size_t>(ContactEventKind::popped_through) + 1;  // the last kind
 
 struct ContactEvent {
     ContactEventKind kind = ContactEventKind::contact_made;

@@ -1,5 +1,8 @@
 #include "haptics/collision/box.h"
 
+#include <cstring>
+#include <limits>
+
 namespace touchline {
 namespace {
 
@@ -12,6 +15,92 @@ bool separates(const Box& box, const Box& other, double reach_m) {
            (at.along_high < box.along_low * square - grow) |
            (at.across_low > box.across_high * square + grow) |
            (at.across_high < box.across_low * square - grow);
+}
+
+using Floats = float __attribute__((vector_size(16)));
+using Masks = std::int32_t __attribute__((vector_size(16)));
+using Halves = std::uint16_t __attribute__((vector_size(16)));
+
+Floats larger(Floats a, Floats b) {
+    return a > b ? a : b;
+}
+
+Floats smaller(Floats a, Floats b) {
+    return a < b ? a : b;
+}
+
+Floats absolute(Floats a) {
+    return larger(a, -a);
+}
+
+struct Extents {
+    Floats along_low, along_high, across_low, across_high;
+};
+
+Floats upper_halves(Halves low_first) {
+    Floats out;
+    std::memcpy(&out, &low_first, sizeof out);
+    return out;
+}
+
+/// Transposes four packed extents: a half is the upper part of a float.
+Extents unpacked(const PackedExtents* four) {
+    Halves first;
+    Halves second;
+    std::memcpy(&first, four, sizeof first);
+    std::memcpy(&second, four + 2, sizeof second);
+    constexpr Halves zero{};
+    const Halves even = __builtin_shufflevector(first, second, 0, 8, 1, 9, 2, 10, 3, 11);
+    const Halves odd = __builtin_shufflevector(first, second, 4, 12, 5, 13, 6, 14, 7, 15);
+    const Halves along = __builtin_shufflevector(even, odd, 0, 8, 1, 9, 2, 10, 3, 11);
+    const Halves across = __builtin_shufflevector(even, odd, 4, 12, 5, 13, 6, 14, 7, 15);
+    const auto low = [&](Halves h) {
+        return upper_halves(__builtin_shufflevector(zero, h, 0, 8, 1, 9, 2, 10, 3, 11));
+    };
+    const auto high = [&](Halves h) {
+        return upper_halves(__builtin_shufflevector(zero, h, 4, 12, 5, 13, 6, 14, 7, 15));
+    };
+    return {low(along), high(along), low(across), high(across)};
+}
+
+/// Shares of the way at which it enters the slabs; 0 if it starts inside or never gets there.
+Floats slab_entry(Floats start, Floats by, Floats low, Floats high) {
+    const Floats border = start < low ? low : (start > high ? high : start);
+    const Floats entry = (border - start) / by;
+    const Masks is_share = (entry > 0.0F) & (entry <= 1.0F);
+    return is_share ? entry : Floats{};
+}
+
+using Pair = double __attribute__((vector_size(16)));
+using SmallPair = float __attribute__((vector_size(8)));
+
+Pair pair(Position p) {
+    return Pair{p.x, p.y};
+}
+
+struct Points {
+    Floats x, y;
+};
+
+/// Rounds four differences of points and transposes them.
+Points rounded(Pair a, Pair b, Pair c, Pair d) {
+    const SmallPair fa = __builtin_convertvector(a, SmallPair);
+    const SmallPair fb = __builtin_convertvector(b, SmallPair);
+    const SmallPair fc = __builtin_convertvector(c, SmallPair);
+    const SmallPair fd = __builtin_convertvector(d, SmallPair);
+    return {Floats{fa[0], fb[0], fc[0], fd[0]}, Floats{fa[1], fb[1], fc[1], fd[1]}};
+}
+
+/// Returns the bits set in any lane.
+unsigned gathered(Masks bits) {
+    const Masks halves = bits | __builtin_shufflevector(bits, bits, 2, 3, 0, 1);
+    const Masks whole = halves | __builtin_shufflevector(halves, halves, 1, 0, 3, 2);
+    return static_cast<unsigned>(whole[0]);
+}
+
+float least(Floats a) {
+    const Floats halves = smaller(a, __builtin_shufflevector(a, a, 2, 3, 0, 1));
+    return smaller(halves, __builtin_shufflevector(halves, halves, 1, 0, 3, 2))[0];
 }
 
 }  // namespace
@@ -35,6 +124,57 @@ std::array<Position, 4> corners_of(const Box& box) {
 
 bool overlap(const Box& a, const Box& b, double reach_m) {
     return !separates(a, b, reach_m) && !separates(b, a, reach_m);
+}
+
+Sifted sift(const Fan& fan, const Way& way) {
+    static_assert(sizeof(PackedExtents) == 8);
+    constexpr Extents segments{{0, 0, 0, 0}, {1, 1, 1, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}};
+    const Extents e = fan.extents != nullptr ? unpacked(fan.extents) : segments;
+    const Pair from = pair(way.from);
+    const Pair p0 = pair(fan.points[0]);
+    const Pair p1 = pair(fan.points[1]);
+    const Pair p2 = pair(fan.points[2]);
+    const Pair p3 = pair(fan.points[3]);
+    const Pair p4 = pair(fan.points[4]);
+    const Points axis = rounded(p1 - p0, p2 - p1, p3 - p2, p4 - p3);
+    const Points w = rounded(from - p0, from - p1, from - p2, from - p3);
+    const auto by_x = static_cast<float>(way.by.x);
+    const auto by_y = static_cast<float>(way.by.y);
+    const auto reach = static_cast<float>(way.reach_m * (1.0 + 1e-6));
+    const Floats distance =
+        absolute(w.x) + absolute(w.y) + static_cast<float>(length_bound(way.by));
+    const Floats square = axis.x * axis.x + axis.y * axis.y;
+    const Floats grow = (reach + 4e-6F * distance) * (absolute(axis.x) + absolute(axis.y));
+    const Floats s = axis.x * w.x + axis.y * w.y;
+    const Floats n = axis.x * w.y - axis.y * w.x;
+    const Floats ds = axis.x * by_x + axis.y * by_y;
+    const Floats dn = axis.x * by_y - axis.y * by_x;
+    const Floats s_low = e.along_low * square - grow;
+    const Floats s_high = e.along_high * square + grow;
+    const Floats n_low = e.across_low * square - grow;
+    const Floats n_high = e.across_high * square + grow;
+    const Floats beside = larger(s_low - larger(s, s + ds), smaller(s, s + ds) - s_high);
+    const Floats off = larger(n_low - larger(n, n + dn), smaller(n, n + dn) - n_high);
+    const Floats gap = larger(beside, off);
+    const Floats turn = ds * (n_low + n_high - 2.0F * n) - dn * (s_low + s_high - 2.0F * s);
+    const Floats room = absolute(ds) * (n_high - n_low) + absolute(dn) * (s_high - s_low);
+    // An axis too short for its square says nothing, so such a box counts as near.
+    const Masks is_known = square > 1e-30F;
+    const Masks is_beside = (gap > 0.0F) & is_known;
+    const Masks is_passed = (absolute(turn) > 1.000002F * room) & is_known;
+    const Floats none = Floats{} + std::numeric_limits<float>::infinity();
+    const Floats gap2 = is_beside ? gap * gap / square : (is_passed ? Floats{} : none);
+    const Masks counted = Masks{0, 1, 2, 3} < fan.count;
+    const Masks near = ~(is_beside | is_passed) & counted & Masks{1, 2, 4, 8};
+    Sifted out;
+    out.near = gathered(near);
+    out.gap2_m2 = least(counted ? gap2 : none);
+    if (out.near == 0) return out;
+    const Floats along = slab_entry(s, ds, s_low, s_high);
+    const Floats across = slab_entry(n, dn, n_low, n_high);
+    const Floats entry = is_known ? larger(along, across) : Floats{};
+    std::memcpy(out.key.data(), &entry, sizeof entry);
+    return out;
 }
 
 }  // namespace touchline

@@ -1,5 +1,8 @@
 // A node's box as the queries see it: in the frame of its segment, in units of the segment's
-// length, so that no test takes a root. Threads: pure functions, no allocation.
+// length, so that no test takes a root. Alone, and four neighbours against one way at once, in
+// single precision: most boxes that a walk looks at are far from the motion, and four at a time
+// cost little more than one; the exact test then judges those that may be near. Threads: pure
+// functions, no allocation.
 #pragma once
 
 #include "config/types/vec2.h"
@@ -7,7 +10,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 namespace touchline {
 
@@ -35,7 +41,17 @@ struct Box {
 /// The extent of something along and across an axis, in axis lengths times metres.
 struct Shadow {
     double along_low = 0.0, along_high = 0.0, across_low = 0.0, across_high = 0.0;
+
+    /// Grows to hold another one along the same axis.
+    void hold(const Shadow& other) {
+        along_low = std::min(along_low, other.along_low);
+        along_high = std::max(along_high, other.along_high);
+        across_low = std::min(across_low, other.across_low);
+        across_high = std::max(across_high, other.across_high);
+    }
 };
+
+inline constexpr Shadow no_shadow{INFINITY, -INFINITY, INFINITY, -INFINITY};
 
 /// The shadow of a box along an axis that starts at `origin`.
 [[nodiscard]] inline Shadow shadow(const Box& box, Position origin, Position axis) {
@@ -107,5 +123,85 @@ struct Approach {
 
 /// Returns the corners counter-clockwise.
 [[nodiscard]] std::array<Position, 4> corners_of(const Box& box);
+
+/// The extents of a box in 8 bytes: shares of the segment's length as the upper halves of floats,
+/// rounded outward by less than 1 %.
+class PackedExtents {
+  public:
+    PackedExtents() = default;
+
+    /// Holds [along_low, along_high] x [across_low, across_high], finite or not.
+    PackedExtents(double along_low, double along_high, double across_low, double across_high)
+        : halves_{below(along_low), above(along_high), below(across_low), above(across_high)} {}
+
+    [[nodiscard]] double along_low() const { return value(halves_[0]); }
+
+    [[nodiscard]] double along_high() const { return value(halves_[1]); }
+
+    [[nodiscard]] double across_low() const { return value(halves_[2]); }
+
+    [[nodiscard]] double across_high() const { return value(halves_[3]); }
+
+  private:
+    static double value(std::uint16_t half) {
+        return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(half) << 16));
+    }
+
+    /// Returns the largest number of this format that is not above x.
+    static std::uint16_t below(double x) {
+        const auto sign = static_cast<std::uint16_t>(0x8000);
+        return static_cast<std::uint16_t>(above(-x) ^ sign);
+    }
+
+    /// Returns the smallest number of this format that is not below x.
+    static std::uint16_t above(double x) {
+        constexpr std::uint16_t largest = 0x7f7f;
+        if (!(x <= static_cast<double>(std::numeric_limits<float>::max()))) return largest;
+        auto half =
+            static_cast<std::uint16_t>(std::bit_cast<std::uint32_t>(static_cast<float>(x)) >> 16);
+        while (value(half) < x) half = next_up(half);
+        return half;
+    }
+
+    /// Rounds away from zero for positive numbers, towards it for negative ones.
+    static std::uint16_t next_up(std::uint16_t half) {
+        const bool is_negative = (half & 0x8000U) != 0;
+        if (half == 0x8000U) return 0x0001U;
+        return static_cast<std::uint16_t>(is_negative ? half - 1 : half + 1);
+    }
+
+    std::array<std::uint16_t, 4> halves_{};
+};
+
+/// Returns the box of a node in its segment's frame, with what it holds beside the segment.
+[[nodiscard]] inline Box box_of(const Segment& s, const PackedExtents& e) {
+    return {s.a, frame_axis(s), e.along_low(), e.along_high(), e.across_low(), e.across_high()};
+}
+
+/// Neighbouring nodes of one level: node k lies between points k and k + 1.
+struct Fan {
+    static constexpr int width = 4;
+
+    const Position* points = nullptr;        // width + 1 may be read
+    const PackedExtents* extents = nullptr;  // of width nodes; null: the segments themselves
+    int count = 0;                           // nodes, 1 ... width; values read beyond are ignored
+
+    [[nodiscard]] Box box(std::size_t k) const {
+        const Segment s{points[k], points[k + 1]};
+        return extents == nullptr ? box_of(s) : box_of(s, extents[k]);
+    }
+};
+
+/// The result of a sift.
+struct Sifted {
+    unsigned near = 0;                    // bit k: node k may matter
+    std::array<float, Fan::width> key{};  // smaller is nearer: here the share of the way at which
+                                          // the box is entered, never later than what it holds
+    float gap2_m2 = 0.0F;  // the other boxes stay at least this far (squared) out of reach
+};
+
+/// Conservative: coordinates are taken relative to the way's start before they are rounded, and the
+/// reach is widened by 4e-6 of the distance, which is more than all rounding.
+[[nodiscard]] Sifted sift(const Fan& fan, const Way& way);
 
 }  // namespace touchline

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace touchline {
 namespace {
@@ -31,40 +30,21 @@ class Growing {
     void add(Position p) {
         const double s = dot(axis_, p - origin_);
         const double n = cross(axis_, p - origin_);
-        s_low_ = std::min(s_low_, s);
-        s_high_ = std::max(s_high_, s);
-        n_low_ = std::min(n_low_, n);
-        n_high_ = std::max(n_high_, n);
+        held_.hold({s, s, n, n});
     }
 
-    void add(const Box& box) {
-        const Shadow at = shadow(box, origin_, axis_);
-        s_low_ = std::min(s_low_, at.along_low);
-        s_high_ = std::max(s_high_, at.along_high);
-        n_low_ = std::min(n_low_, at.across_low);
-        n_high_ = std::max(n_high_, at.across_high);
-    }
+    void add(const Box& box) { held_.hold(shadow(box, origin_, axis_)); }
 
     [[nodiscard]] PackedExtents packed() const {
-        return {scale_ * s_low_, scale_ * s_high_, scale_ * n_low_, scale_ * n_high_};
+        return {scale_ * held_.along_low, scale_ * held_.along_high, scale_ * held_.across_low,
+                scale_ * held_.across_high};
     }
 
   private:
     Position origin_;
     Position axis_;
     double scale_;
-    double s_low_ = 0.0, s_high_ = 0.0, n_low_ = 0.0, n_high_ = 0.0;
-};
-
-/// An upright rectangle that grows.
-struct Extent {
-    Position low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-    Position high{-low.x, -low.y};
-
-    void add(const Extent& other) {
-        low = {std::min(low.x, other.low.x), std::min(low.y, other.low.y)};
-        high = {std::max(high.x, other.high.x), std::max(high.y, other.high.y)};
-    }
+    Shadow held_;
 };
 
 }  // namespace
@@ -76,9 +56,7 @@ class CollisionTreeBuilder {
 
     CollisionTree build() {
         tree_.extents_.resize(curves_.point_count() - curves_.finest_count() + Fan::width - 1);
-        for (int piece = 0; piece < static_cast<int>(curves_.pieces().size()); ++piece) {
-            bound_piece(piece);
-        }
+        for (int piece = 0; piece < curves_.piece_count(); ++piece) bound_piece(piece);
         if (!tree_.roots_.empty()) {
             tree_.bounds_.reserve(2 * tree_.roots_.size());
             tree_.bounds_.emplace_back();
@@ -93,7 +71,7 @@ class CollisionTreeBuilder {
     using Bound = CollisionTree::Bound;
 
     void bound_piece(int piece) {
-        const int coarsest = curves_.pieces()[static_cast<std::size_t>(piece)].coarsest;
+        const int coarsest = curves_.piece(piece).coarsest;
         for (int level = 1; level <= coarsest; ++level) {
             const std::size_t first = curves_.first_point(piece, level) - curves_.finest_count();
             const int count = curves_.segment_count(piece, level);
@@ -117,7 +95,7 @@ class CollisionTreeBuilder {
     /// rest. O(2^scanned).
     [[nodiscard]] PackedExtents extents(int piece, int level, int j) const {
         constexpr int scanned = 3;
-        Growing box(segment(piece, level, j));
+        Growing box(curves_.rendered_segment(piece, level, j));
         const int finest = std::max(level - scanned, 0);
         for (int finer = level - 1; finer >= finest; --finer)
             add_points(piece, level, j, finer, box);
@@ -147,10 +125,6 @@ class CollisionTreeBuilder {
                         static_cast<std::size_t>(curves_.segment_count(piece, finer)));
     }
 
-    [[nodiscard]] Segment segment(int piece, int level, int j) const {
-        return curves_.rendered_segment(piece, level, j);
-    }
-
     /// Builds node `at` over roots [first, last), halved at the median of the longer side.
     void bound_roots(std::size_t at, std::size_t first, std::size_t last) {
         Bound bound = bound_of(first, last);
@@ -163,13 +137,13 @@ class CollisionTreeBuilder {
         const std::size_t middle = (first + last) / 2;
         const auto begin = tree_.roots_.begin();
         const auto place = [&](const Stretch& roots) {
-            const Segment s = segment(roots.piece, roots.level, roots.first + roots.count / 2);
+            const Segment s =
+                curves_.rendered_segment(roots.piece, roots.level, roots.first + roots.count / 2);
             return is_wide ? s.a.x + s.b.x : s.a.y + s.b.y;
         };
-        std::nth_element(begin + static_cast<std::ptrdiff_t>(first),
-                         begin + static_cast<std::ptrdiff_t>(middle),
-                         begin + static_cast<std::ptrdiff_t>(last),
-                         [&](const auto& a, const auto& b) { return place(a) < place(b); });
+        std::ranges::nth_element(begin + static_cast<std::ptrdiff_t>(first),
+                                 begin + static_cast<std::ptrdiff_t>(middle),
+                                 begin + static_cast<std::ptrdiff_t>(last), {}, place);
         const std::size_t left = tree_.bounds_.size();
         bound.left = static_cast<std::int32_t>(left);
         tree_.bounds_[at] = bound;
@@ -179,27 +153,27 @@ class CollisionTreeBuilder {
     }
 
     [[nodiscard]] Bound bound_of(std::size_t first, std::size_t last) const {
-        Extent all;
-        for (std::size_t i = first; i < last; ++i) all.add(extent_of(tree_.roots_[i]));
-        return {outward_low(all.low.x), outward_high(all.high.x), outward_low(all.low.y),
-                outward_high(all.high.y), 0};
+        Shadow all = no_shadow;
+        for (std::size_t i = first; i < last; ++i) all.hold(upright_shadow(tree_.roots_[i]));
+        return {outward_low(all.along_low), outward_high(all.along_high),
+                outward_low(all.across_low), outward_high(all.across_high), 0};
     }
 
-    [[nodiscard]] Extent extent_of(const Stretch& stretch) const {
-        Extent extent;
+    /// x along, y across.
+    [[nodiscard]] Shadow upright_shadow(const Stretch& stretch) const {
+        Shadow all = no_shadow;
         for (int j = stretch.first; j < stretch.first + stretch.count; ++j) {
             const Box box = tree_.node_box(curves_, {stretch.piece, stretch.level, j});
-            const Shadow at = shadow(box, {}, {1.0, 0.0});
-            extent.add({{at.along_low, at.across_low}, {at.along_high, at.across_high}});
+            all.hold(shadow(box, {}, {1.0, 0.0}));
         }
-        return extent;
+        return all;
     }
 
     /// The mean edge length at level 0.
     [[nodiscard]] double mean_edge_m() const {
         double length_m = 0.0;
         double edges = 0.0;
-        for (int piece = 0; piece < static_cast<int>(curves_.pieces().size()); ++piece) {
+        for (int piece = 0; piece < curves_.piece_count(); ++piece) {
             const auto points = curves_.points(piece, 0);
             for (std::size_t i = 1; i < points.size(); ++i)
                 length_m += norm(points[i] - points[i - 1]);
@@ -217,18 +191,13 @@ class CollisionTreeBuilder {
         const auto start_level = static_cast<int>(std::clamp(octaves, 0.0, 32.0));
         if (start_level < curves_.coarsest()) tree_.start_level_ = start_level;
         std::vector<Stretch> stretches;
-        std::vector<Position> low;
-        std::vector<Position> high;
-        for (int piece = 0; piece < static_cast<int>(curves_.pieces().size()); ++piece) {
-            const int coarsest = curves_.pieces()[static_cast<std::size_t>(piece)].coarsest;
+        std::vector<Shadow> bounds;
+        for (int piece = 0; piece < curves_.piece_count(); ++piece) {
+            const int coarsest = curves_.piece(piece).coarsest;
             add_stretches(piece, std::min(start_level, coarsest), stretches);
         }
-        for (const Stretch& stretch : stretches) {
-            const Extent extent = extent_of(stretch);
-            low.push_back(extent.low);
-            high.push_back(extent.high);
-        }
-        tree_.start_grid_ = StartGrid(std::move(stretches), low, high);
+        for (const Stretch& stretch : stretches) bounds.push_back(upright_shadow(stretch));
+        tree_.start_grid_ = StartGrid(std::move(stretches), bounds);
     }
 
     const CurveSet& curves_;

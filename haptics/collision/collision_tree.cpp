@@ -1,10 +1,10 @@
 #include "haptics/collision/collision_tree.h"
 
-#include "haptics/collision/crossing.h"
-#include "haptics/collision/first_touch.h"
-#include "haptics/collision/spender.h"
+#include "haptics/collision/touch.h"
 #include "haptics/collision/tree_walk.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace touchline {
@@ -20,30 +20,19 @@ Sifted distances(const Fan& fan, Position p) {
     return out;
 }
 
-class FirstHit {
+class FirstHit : public FirstTouch {
   public:
     static constexpr bool asks_leaf_boxes = false;
 
-    FirstHit(const Motion& motion, const Budget& budget) : first_(motion), spender_(budget) {}
-
-    [[nodiscard]] const Way& way() const { return first_.way(); }
-
-    void spare(double margin_m) { first_.spare(margin_m); }
-
-    Sifted sift(const Fan& fan) { return first_.sift(fan); }
-
-    [[nodiscard]] std::optional<double> near(const Box& box) { return first_.near(box); }
-
-    [[nodiscard]] double cut() const { return first_.cut(); }
+    FirstHit(const Motion& motion, const Budget& budget) : FirstTouch(motion), spender_(budget) {}
 
     bool spend(int boxes) { return spender_.spend(boxes); }
 
-    void leaf(SegmentRef ref, const Segment& segment) { first_.test(ref, segment); }
+    void leaf(SegmentRef ref, const Segment& segment) { test(ref, segment); }
 
-    Hit result(double unopened) { return first_.result(unopened, spender_.opened()); }
+    Hit result(double unopened) { return FirstTouch::result(unopened, spender_.opened()); }
 
   private:
-    FirstTouch first_;
     Spender spender_;
 };
 
@@ -76,24 +65,41 @@ class Crossings {
     int count_ = 0;
 };
 
-class ClosestPoint {
+/// What visitors that look around a place have in common.
+class AroundPlace {
   public:
-    static constexpr bool asks_leaf_boxes = false;
+    AroundPlace(Position p, const Budget& budget) : p_(p), spender_(budget) {}
 
-    ClosestPoint(Position p, double within_m, const Budget& budget) : p_(p), spender_(budget) {
-        closest_.distance_m = within_m;
-    }
+    static void spare(double /*margin_m*/) {}
 
     [[nodiscard]] Sifted sift(const Fan& fan) const { return distances(fan, p_); }
 
     [[nodiscard]] std::optional<double> near(const Box& box) const { return distance_m(box, p_); }
 
-    [[nodiscard]] double cut() const { return closest_.distance_m; }
-
     bool spend(int boxes) { return spender_.spend(boxes); }
 
+  protected:
+    [[nodiscard]] Position p() const { return p_; }
+
+    [[nodiscard]] int opened() const { return spender_.opened(); }
+
+  private:
+    Position p_;
+    Spender spender_;
+};
+
+class ClosestPoint : public AroundPlace {
+  public:
+    static constexpr bool asks_leaf_boxes = false;
+
+    ClosestPoint(Position p, double within_m, const Budget& budget) : AroundPlace(p, budget) {
+        closest_.distance_m = within_m;
+    }
+
+    [[nodiscard]] double cut() const { return closest_.distance_m; }
+
     void leaf(SegmentRef ref, const Segment& segment) {
-        const Foot at = foot(p_, segment);
+        const Foot at = foot(p(), segment);
         const bool is_nearer = at.distance_m < closest_.distance_m;
         const bool is_lower = at.distance_m == closest_.distance_m && closest_.segment.piece >= 0 &&
                               ref < closest_.segment;
@@ -103,73 +109,52 @@ class ClosestPoint {
 
     /// `unopened` is the distance of the nearest box left unopened.
     Closest result(double unopened) {
-        closest_.boxes = spender_.opened();
+        closest_.boxes = opened();
         closest_.is_complete = unopened > closest_.distance_m;
         return closest_;
     }
 
   private:
-    Position p_;
-    Spender spender_;
     Closest closest_;
 };
 
 /// Stops at the first leaf's box within reach.
-class AnyNear {
+class AnyNear : public AroundPlace {
   public:
     static constexpr bool asks_leaf_boxes = true;
 
     AnyNear(Position p, double reach_m, const Budget& budget)
-        : p_(p), reach_m_(reach_m), spender_(budget) {}
-
-    static void spare(double /*margin_m*/) {}
-
-    [[nodiscard]] Sifted sift(const Fan& fan) const { return distances(fan, p_); }
-
-    [[nodiscard]] std::optional<double> near(const Box& box) const { return distance_m(box, p_); }
+        : AroundPlace(p, budget), reach_m_(reach_m) {}
 
     [[nodiscard]] double cut() const { return is_met_ ? -1.0 : reach_m_; }
-
-    bool spend(int boxes) { return spender_.spend(boxes); }
 
     void leaf(SegmentRef /*ref*/, const Segment& /*segment*/) { is_met_ = true; }
 
     [[nodiscard]] Clearance result(double unopened) const {
-        return {!is_met_ && unopened > reach_m_, spender_.opened()};
+        return {!is_met_ && unopened > reach_m_, opened()};
     }
 
   private:
-    Position p_;
     double reach_m_;
-    Spender spender_;
     bool is_met_ = false;
 };
 
 /// The coarser level's boxes hold every blend, so whatever may sweep over p has its box there.
-class FirstWall {
+class FirstWall : public AroundPlace {
   public:
     static constexpr bool asks_leaf_boxes = false;
 
     FirstWall(const CurveSet& curves, Position p, const LevelChange& change,
               const std::array<SegmentRef, 2>& excluded, const Budget& budget)
-        : curves_(curves), p_(p), change_(change), excluded_(excluded), spender_(budget) {}
-
-    static void spare(double /*margin_m*/) {}
-
-    [[nodiscard]] Sifted sift(const Fan& fan) const { return distances(fan, p_); }
-
-    [[nodiscard]] std::optional<double> near(const Box& box) const { return distance_m(box, p_); }
+        : AroundPlace(p, budget), curves_(curves), change_(change), excluded_(excluded) {}
 
     [[nodiscard]] static double cut() { return contact_skin_m; }
 
-    bool spend(int boxes) { return spender_.spend(boxes); }
-
     void leaf(SegmentRef ref, const Segment& /*between*/) {
-        const bool has_octave =
-            change_.finer < curves_.pieces()[static_cast<std::size_t>(ref.piece)].coarsest;
+        const bool has_octave = change_.finer < curves_.piece(ref.piece).coarsest;
         if (!has_octave || ref == excluded_[0] || ref == excluded_[1]) return;
         look_up(ref.piece);
-        const auto found = meeting(p_, from_.segment(ref.index), to_.segment(ref.index));
+        const auto found = meeting(p(), from_.segment(ref.index), to_.segment(ref.index));
         if (!found) return;
         const bool is_lower = found->share == hit_.share && hit_.is_hit && ref < hit_.segment;
         if (!(found->share < hit_.share || is_lower || !hit_.is_hit)) return;
@@ -177,7 +162,7 @@ class FirstWall {
     }
 
     WallHit result(double unopened) {
-        hit_.boxes = spender_.opened();
+        hit_.boxes = opened();
         hit_.is_complete = unopened > contact_skin_m;
         return hit_;
     }
@@ -191,10 +176,8 @@ class FirstWall {
     }
 
     const CurveSet& curves_;
-    Position p_;
     const LevelChange& change_;
     const std::array<SegmentRef, 2>& excluded_;
-    Spender spender_;
     int piece_ = -1;  // whose these are:
     RenderedPiece from_, to_;
     WallHit hit_;
@@ -275,25 +258,148 @@ std::size_t CollisionTree::memory_bytes() const {
 
 void CollisionTree::boundary_section(const CurveSet& curves, Position handle, int level,
                                      std::vector<ErrorBox>& section) const {
-    std::vector<Node> open;
+    std::vector<TreeNode> open;
     for (const Stretch& roots : roots_) {
         for (int k = 0; k < roots.count; ++k) {
             open.push_back({roots.piece, roots.level, roots.first + k});
         }
     }
     while (!open.empty()) {
-        const Node node = open.back();
+        const TreeNode node = open.back();
         open.pop_back();
         const bool holds = distance_m(node_box(curves, node), handle) <= 0.0;
         if (!holds || node.level <= level || node.level == 0) {
             section.push_back(box(curves, node.piece, node.level, node.index));
             continue;
         }
-        if (2 * node.index + 1 < curves.segment_count(node.piece, node.level - 1)) {
-            open.push_back({node.piece, node.level - 1, 2 * node.index + 1});
-        }
-        open.push_back({node.piece, node.level - 1, 2 * node.index});
+        const TreeChildren finer = children(curves, node);
+        for (int k = finer.count; k-- > 0;)
+            open.push_back(finer.nodes[static_cast<std::size_t>(k)]);
     }
+}
+
+/// The boxes that a motion meets at one level, refined to the next finer one.
+class LevelByLevel {
+  public:
+    LevelByLevel(const CollisionTree& tree, const CurveSet& curves, const Motion& motion,
+                 const Budget& budget)
+        : tree_(tree), curves_(curves), motion_(motion), first_(motion), spender_(budget) {}
+
+    HitAtLevel run() {
+        if (!gather_roots()) return unknown();
+        const auto wanted = static_cast<int>(std::ceil(motion_.level));
+        int level = curves_.coarsest();
+        while (level > wanted && refine(level)) --level;
+        const bool is_wanted = level <= wanted;
+        return answer(is_wanted ? motion_.level : level);
+    }
+
+  private:
+    /// A tree's node without initial values, which 24 KB of them would take longer to set than to
+    /// use.
+    struct Node {
+        std::int32_t piece, level, index;
+    };
+
+    /// A list of fixed size that refuses what does not fit.
+    struct Nodes {
+        static constexpr std::size_t capacity = 1024;
+
+        std::array<Node, capacity> at;
+        std::size_t size = 0;
+
+        bool add(const Node& node) {
+            if (size == capacity) return false;
+            at[size++] = node;
+            return true;
+        }
+    };
+
+    bool gather_roots() {
+        if (tree_.bounds_.empty()) return true;
+        std::array<std::int32_t, 40> open;  // of a hierarchy over 2^32 stretches
+        std::size_t size = 0;
+        open[size++] = 0;
+        while (size > 0) {
+            const auto& bound = tree_.bounds_[static_cast<std::size_t>(open[--size])];
+            if (!first_.near(bound.box())) continue;
+            if (bound.left >= 0) {
+                if (!spender_.spend(1)) return false;
+                open[size++] = bound.left;
+                open[size++] = bound.left + 1;
+                continue;
+            }
+            const Stretch& roots = tree_.roots_[static_cast<std::size_t>(-bound.left - 1)];
+            if (!spender_.spend(std::max(roots.count - 1, 1))) return false;
+            if (!add_near(roots, *nodes_)) return false;
+        }
+        return true;
+    }
+
+    bool add_near(const Stretch& stretch, Nodes& to) {
+        const Fan fan = tree_.fan(curves_, stretch, buffer_);
+        const unsigned near = first_.sift(fan).near;
+        for (int k = 0; k < stretch.count; ++k) {
+            const bool is_near = (near & (1U << k)) != 0;
+            if (is_near && !to.add({stretch.piece, stretch.level, stretch.first + k})) return false;
+        }
+        return true;
+    }
+
+    /// Refines from `level` to the next finer one. Returns false, and changes nothing, if the
+    /// budget or the room does not suffice.
+    bool refine(int level) {
+        finer_->size = 0;
+        for (std::size_t i = 0; i < nodes_->size; ++i) {
+            const Node& node = nodes_->at[i];
+            if (node.level < level) {
+                if (!finer_->add(node)) return false;
+                continue;
+            }
+            const int first = 2 * node.index;
+            const int count =
+                std::min(2, curves_.segment_count(node.piece, node.level - 1) - first);
+            if (!spender_.spend(1)) return false;
+            if (!add_near({node.piece, node.level - 1, first, count}, *finer_)) return false;
+        }
+        std::swap(nodes_, finer_);
+        return true;
+    }
+
+    HitAtLevel answer(double level) {
+        for (std::size_t i = 0; i < nodes_->size; ++i) {
+            const Node& node = nodes_->at[i];
+            const RenderedPiece piece = curves_.rendered(node.piece, level);
+            const bool is_blend = CollisionTree::nodes(curves_, node.piece, level).is_blend;
+            const int first = is_blend ? 2 * node.index : node.index;
+            const int last = std::min(first + (is_blend ? 2 : 1), piece.segment_count());
+            for (int j = first; j < last; ++j) first_.test({node.piece, j}, piece.segment(j));
+        }
+        return {first_.result(INFINITY, spender_.opened()), level, true};
+    }
+
+    HitAtLevel unknown() {
+        HitAtLevel nothing;
+        nothing.hit.clear = 0.0;
+        nothing.hit.boxes = spender_.opened();
+        nothing.level = curves_.coarsest();
+        return nothing;
+    }
+
+    const CollisionTree& tree_;
+    const CurveSet& curves_;
+    const Motion& motion_;
+    FirstTouch first_;
+    Spender spender_;
+    CollisionTree::FanBuffer buffer_{};
+    std::array<Nodes, 2> lists_;
+    Nodes* nodes_ = &lists_[0];
+    Nodes* finer_ = &lists_[1];
+};
+
+HitAtLevel CollisionTree::first_hit_at_level_reached(const CurveSet& curves, const Motion& motion,
+                                                     const Budget& budget) const {
+    return LevelByLevel(*this, curves, motion, budget).run();
 }
 
 }  // namespace touchline

@@ -4,11 +4,9 @@
 // immutable once built; queries are const and keep their state on the stack. No allocation.
 #pragma once
 
+#include "config/types/steady_clock.h"
 #include "config/types/vec2.h"
 #include "haptics/collision/box.h"
-#include "haptics/collision/moving_wall.h"
-#include "haptics/collision/packed_extents.h"
-#include "haptics/collision/sift.h"
 #include "haptics/collision/start_grid.h"
 #include "haptics/collision/touch.h"
 #include "haptics/curve/curve_set.h"
@@ -62,9 +60,28 @@ struct Budget {
     std::int64_t deadline_ns = 0;  // on the steady clock, by which to return; 0: none
 };
 
+/// Keeps a query within its budget: counts boxes; reads the clock only if a deadline is set.
+class Spender {
+  public:
+    explicit Spender(const Budget& budget) : budget_(budget) {}
+
+    bool spend(int boxes) {
+        if (opened_ + boxes > budget_.boxes) return false;
+        if (budget_.deadline_ns != 0 && steady_now_ns() >= budget_.deadline_ns) return false;
+        opened_ += boxes;
+        return true;
+    }
+
+    [[nodiscard]] int opened() const { return opened_; }
+
+  private:
+    Budget budget_;
+    int opened_ = 0;
+};
+
 /// The first contact of a motion. Boxes that the budget left unopened count as obstacles: `clear`
-/// is the share of the motion proven free of them, and a hit counts only before all of them
-/// (architecture section 4, "Anytime"). `clear` never falls as the budget grows.
+/// is the share of the motion proven free of them, and a hit counts only before all of them. So a
+/// query is right whenever it is stopped, and `clear` never falls as the budget grows.
 struct Hit {
     bool is_hit = false;
     double clear = 1.0;  // share of the motion proven free; if is_hit, the contact's
@@ -162,7 +179,7 @@ class CollisionTree {
 
     /// Returns a box that holds a node's curve as rendered at any level up to the node's. O(1).
     [[nodiscard]] Box box_of_node(const CurveSet& curves, const TreeNode& node) const {
-        if (node.piece >= 0) return node_box(curves, {node.piece, node.level, node.index});
+        if (node.piece >= 0) return node_box(curves, node);
         return bounds_[static_cast<std::size_t>(node.index)].box();
     }
 
@@ -188,11 +205,8 @@ class CollisionTree {
         }
     };
 
-    struct Node {
-        int piece, level, index;
-    };
+    [[nodiscard]] Box node_box(const CurveSet& curves, const TreeNode& node) const;
 
-    [[nodiscard]] Box node_box(const CurveSet& curves, const Node& node) const;
     /// Room for the points of a fan that are not contiguous.
     using FanBuffer = std::array<Position, Fan::width + 1>;
 
@@ -233,7 +247,7 @@ inline Fan CollisionTree::fan(const CurveSet& curves, const Stretch& nodes,
     return fan;
 }
 
-inline Box CollisionTree::node_box(const CurveSet& curves, const Node& node) const {
+inline Box CollisionTree::node_box(const CurveSet& curves, const TreeNode& node) const {
     const auto points = curves.points(node.piece, node.level);
     const auto j = static_cast<std::size_t>(node.index);
     const Segment s{points[j], points[j + 1 == points.size() ? 0 : j + 1]};

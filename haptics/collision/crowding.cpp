@@ -1,11 +1,105 @@
 #include "haptics/collision/crowding.h"
 
 #include "haptics/collision/box.h"
+#include "haptics/collision/touch.h"
 
 #include <algorithm>
 #include <array>
 
 namespace touchline {
+namespace {
+
+constexpr double fast_hand_spacing_m = 1.25e-3;  // a quarter of 0.5 m/s over 100 Hz
+
+/// A segment whose ends move straight and evenly.
+struct MovingSegment {
+    Segment from, to;
+};
+
+Segment seen_from(Position p, const Segment& s) {
+    return {s.a - p, s.b - p};
+}
+
+/// Returns whether an end of one passes over the other.
+bool passes_over(const MovingSegment& one, const MovingSegment& other) {
+    const auto meets = [&](Position from, Position to) {
+        return meeting({}, seen_from(from, other.from), seen_from(to, other.to)).has_value();
+    };
+    return meets(one.from.a, one.to.a) || meets(one.from.b, one.to.b);
+}
+
+/// The changes of level of one set of curves, from fine to coarse; pieces with an unsafe change
+/// stay behind.
+class Changes {
+  public:
+    explicit Changes(const CurveSet& curves) : curves_(curves) {
+        for (const Piece& piece : curves.pieces()) safe_.coarsest.push_back(piece.coarsest);
+    }
+
+    void forbid_all() { std::ranges::fill(safe_.coarsest, 0); }
+
+    /// Looks at the pairs of one level, after those of all finer levels. A piece that stays behind
+    /// stands still from then on, which may put it in the way of others, so this repeats until
+    /// nothing changes.
+    void look_at(const MeetingNodes* first, const MeetingNodes* last) {
+        bool is_changed = true;
+        while (is_changed) {
+            is_changed = false;
+            for (const MeetingNodes* pair = first; pair != last; ++pair) {
+                const int level = pair->level;
+                const bool is_any = moves(pair->nodes[0], level) || moves(pair->nodes[1], level);
+                if (!is_any || !do_meet(*pair)) continue;
+                forbid(pair->nodes[0], level);
+                forbid(pair->nodes[1], level);
+                is_changed = true;
+            }
+        }
+    }
+
+    [[nodiscard]] SafeLevels safe() && { return std::move(safe_); }
+
+  private:
+    [[nodiscard]] int coarsest(SegmentRef node) const {
+        return safe_.coarsest[static_cast<std::size_t>(node.piece)];
+    }
+
+    [[nodiscard]] bool moves(SegmentRef node, int level) const { return coarsest(node) >= level; }
+
+    void forbid(SegmentRef node, int level) {
+        if (!moves(node, level)) return;
+        safe_.coarsest[static_cast<std::size_t>(node.piece)] = level - 1;
+        safe_.unsafe.push_back({node, level});
+    }
+
+    [[nodiscard]] bool do_meet(const MeetingNodes& pair) const {
+        const std::vector<MovingSegment> one = segments(pair.nodes[0], pair.level);
+        const std::vector<MovingSegment> other = segments(pair.nodes[1], pair.level);
+        return std::ranges::any_of(one, [&](const MovingSegment& a) {
+            return std::ranges::any_of(other, [&](const MovingSegment& b) {
+                return passes_over(a, b) || passes_over(b, a);
+            });
+        });
+    }
+
+    /// Returns what the node holds on the way from `level` - 1 to `level`.
+    [[nodiscard]] std::vector<MovingSegment> segments(SegmentRef node, int level) const {
+        const bool is_moving = moves(node, level);
+        const int finer = is_moving ? level - 1 : coarsest(node);
+        const int own = std::min(level, curves_.piece(node.piece).coarsest);
+        const RenderedPiece from = curves_.blend(node.piece, finer, 0.0);
+        const RenderedPiece to = curves_.blend(node.piece, finer, is_moving ? 1.0 : 0.0);
+        const int first = node.index << (own - finer);
+        const int last = std::min((node.index + 1) << (own - finer), from.segment_count());
+        std::vector<MovingSegment> found;
+        for (int j = first; j < last; ++j) found.push_back({from.segment(j), to.segment(j)});
+        return found;
+    }
+
+    const CurveSet& curves_;
+    SafeLevels safe_;
+};
+
+}  // namespace
 
 Crowding::Crowding(const CollisionTree& tree, const CurveSet& curves, double reach_m)
     : tree_(tree),
@@ -27,9 +121,8 @@ Meetings Crowding::find_meetings() {
 
 void Crowding::walk() {
     if (!tree_.bounds_.empty()) within_hierarchy(0);
-    for (int piece = 0; piece < static_cast<int>(curves_.pieces().size()); ++piece) {
-        for (int level = curves_.pieces()[static_cast<std::size_t>(piece)].coarsest - 1; level >= 0;
-             --level) {
+    for (int piece = 0; piece < curves_.piece_count(); ++piece) {
+        for (int level = curves_.piece(piece).coarsest - 1; level >= 0; --level) {
             along_level(piece, level);
         }
     }
@@ -38,8 +131,8 @@ void Crowding::walk() {
 void Crowding::within_hierarchy(std::size_t bound) {
     const auto left = tree_.bounds_[bound].left;
     if (left < 0) {
-        within_roots(static_cast<std::size_t>(-left - 1));
-        return;
+        const auto roots = static_cast<std::size_t>(-left - 1);
+        return between_roots(roots, roots);
     }
     const auto child = static_cast<std::size_t>(left);
     within_hierarchy(child);
@@ -70,21 +163,11 @@ void Crowding::between_bounds(std::size_t a, std::size_t b) {
     }
 }
 
-void Crowding::within_roots(std::size_t a) {
-    const Stretch& roots = tree_.roots_[a];
-    for (int i = 0; i < roots.count; ++i) {
-        for (int j = i + 1; j < roots.count; ++j) {
-            compare({roots.piece, roots.first + i}, {roots.piece, roots.first + j},
-                    curves_.coarsest());
-        }
-    }
-}
-
 /// Compares nodes that are not neighbours although their parents are: the next but one, and from an
 /// even node the one after that. All others of the piece are met through parents that meet.
 void Crowding::along_level(int piece, int level) {
     const int count = curves_.segment_count(piece, level);
-    const Piece& own = curves_.pieces()[static_cast<std::size_t>(piece)];
+    const Piece& own = curves_.piece(piece);
     const bool is_closed = own.is_closed || own.next == piece;  // or a loop with one pin
     std::array<Box, 4> window;  // of nodes j ... j + 3, each at its number's last two bits
     const auto box_at = [&](int j) -> Box& { return window[static_cast<std::size_t>(j) % 4]; };
@@ -102,18 +185,19 @@ void Crowding::along_level(int piece, int level) {
     }
 }
 
+/// Compares the nodes of two leaves of the hierarchy, or of one with each other.
 void Crowding::between_roots(std::size_t a, std::size_t b) {
     const Stretch& roots_a = tree_.roots_[a];
     const Stretch& roots_b = tree_.roots_[b];
     for (int i = 0; i < roots_a.count; ++i) {
-        for (int j = 0; j < roots_b.count; ++j) {
+        for (int j = a == b ? i + 1 : 0; j < roots_b.count; ++j) {
             compare({roots_a.piece, roots_a.first + i}, {roots_b.piece, roots_b.first + j},
                     curves_.coarsest());
         }
     }
 }
 
-void Crowding::compare(Part a, Part b, int level) {
+void Crowding::compare(SegmentRef a, SegmentRef b, int level) {
     if (are_neighbours(a, b, level)) {
         if (a.piece != b.piece) between_neighbours(a, b, level);
     } else {
@@ -122,7 +206,7 @@ void Crowding::compare(Part a, Part b, int level) {
 }
 
 /// Compares the ends of two pieces that share a pin, at every level.
-void Crowding::between_neighbours(Part a, Part b, int level) {
+void Crowding::between_neighbours(SegmentRef a, SegmentRef b, int level) {
     if (level == 0) return;
     const Parts of_a = children(a, level);
     const Parts of_b = children(b, level);
@@ -131,7 +215,7 @@ void Crowding::between_neighbours(Part a, Part b, int level) {
     }
 }
 
-void Crowding::between_strangers(Part a, Part b, int level) {
+void Crowding::between_strangers(SegmentRef a, SegmentRef b, int level) {
     if (left_ == 0) return;
     --left_;
     const Box box_a = tree_.node_box(curves_, {a.piece, level_of(a, level), a.index});
@@ -141,39 +225,37 @@ void Crowding::between_strangers(Part a, Part b, int level) {
 
 /// For two nodes that are not neighbours and whose boxes meet: neither is alone, and their children
 /// may meet.
-void Crowding::crowd(Part a, Part b, int level) {
+void Crowding::crowd(SegmentRef a, SegmentRef b, int level) {
     mark(a, level);
     mark(b, level);
     if (level == 0) return;
-    meetings_.push_back({level, {{{a.piece, a.index}, {b.piece, b.index}}}});
+    meetings_.push_back({level, {{a, b}}});
     const Parts of_a = children(a, level);
     const Parts of_b = children(b, level);
     for (int i = 0; i < of_a.count; ++i) {
-        for (int j = 0; j < of_b.count; ++j) {
-            between_strangers(of_a.at[i], of_b.at[j], level - 1);
-        }
+        for (int j = 0; j < of_b.count; ++j) between_strangers(of_a.at[i], of_b.at[j], level - 1);
     }
 }
 
-int Crowding::level_of(Part a, int level) const {
-    return std::min(level, curves_.pieces()[static_cast<std::size_t>(a.piece)].coarsest);
+int Crowding::level_of(SegmentRef a, int level) const {
+    return std::min(level, curves_.piece(a.piece).coarsest);
 }
 
 /// Returns the nodes that replace it at the next finer level; level > 0.
-Crowding::Parts Crowding::children(Part a, int level) const {
+Crowding::Parts Crowding::children(SegmentRef a, int level) const {
     if (level == 0 || level_of(a, level) < level) return {{a, a}, 1};
     const int first = 2 * a.index;
     const bool is_paired = first + 1 < curves_.segment_count(a.piece, level - 1);
     return {{{a.piece, first}, {a.piece, first + 1}}, is_paired ? 2 : 1};
 }
 
-bool Crowding::is_last(Part a, int level) const {
+bool Crowding::is_last(SegmentRef a, int level) const {
     return a.index + 1 == curves_.segment_count(a.piece, level_of(a, level));
 }
 
-bool Crowding::are_neighbours(Part a, Part b, int level) const {
-    const auto follows = [&](Part before, Part after) {
-        const Piece& piece = curves_.pieces()[static_cast<std::size_t>(before.piece)];
+bool Crowding::are_neighbours(SegmentRef a, SegmentRef b, int level) const {
+    const auto follows = [&](SegmentRef before, SegmentRef after) {
+        const Piece& piece = curves_.piece(before.piece);
         if (before.piece == after.piece && after.index == before.index + 1) return true;
         const int next = piece.is_closed ? before.piece : piece.next;
         return after.index == 0 && after.piece == next && is_last(before, level);
@@ -181,9 +263,45 @@ bool Crowding::are_neighbours(Part a, Part b, int level) const {
     return follows(a, b) || follows(b, a);
 }
 
-void Crowding::mark(Part a, int level) {
+void Crowding::mark(SegmentRef a, int level) {
     alone_[curves_.first_point(a.piece, level_of(a, level)) + static_cast<std::size_t>(a.index)] =
         false;
+}
+
+SafeLevels find_safe_levels(const CurveSet& curves, Meetings meetings) {
+    Changes changes(curves);
+    if (!meetings.is_complete) changes.forbid_all();
+    auto& pairs = meetings.pairs;
+    std::ranges::sort(pairs);
+    const MeetingNodes* first = pairs.data();
+    const MeetingNodes* const end = first + pairs.size();
+    while (first != end) {
+        const MeetingNodes* last = std::find_if(
+            first, end, [&](const MeetingNodes& pair) { return pair.level != first->level; });
+        changes.look_at(first, last);
+        first = last;
+    }
+    return std::move(changes).safe();
+}
+
+std::vector<PinPlace> pins_for(const CurveSet& curves, const SafeLevels& safe) {
+    std::vector<PinPlace> pins;
+    for (const UnsafeNode& unsafe : safe.unsafe) {
+        const int piece = unsafe.node.piece;
+        const int kept = safe.coarsest[static_cast<std::size_t>(piece)];
+        if (unsafe.level != kept + 1) continue;
+        const auto points = curves.points(piece, 0);
+        const Segment s =
+            curves.blend(piece, kept, 0.0)
+                .segment(std::min(unsafe.node.index * 2, curves.segment_count(piece, kept) - 1));
+        if (norm(s.b - s.a) >= fast_hand_spacing_m) continue;
+        for (const int end : {unsafe.node.index, unsafe.node.index + 1}) {
+            const auto i = static_cast<std::size_t>(end) << unsafe.level;
+            const int outline = curves.piece(piece).outline;
+            pins.push_back({outline, points[i < points.size() ? i : points.size() - 1]});
+        }
+    }
+    return pins;
 }
 
 }  // namespace touchline

@@ -1,16 +1,54 @@
 // Finds which nodes of a collision tree come near others than their neighbours along the outline,
-// and which are alone. Walks down from the hierarchy over pairs of boxes that meet, so that distant
-// boxes are never compared. Threads: off the tick.
+// which are alone, and which levels of a piece are safe: on the way from one level to the next, no
+// line passes over a line that is not its neighbour. Else a hand between the two would be on the
+// other side of one. Done once, when a map is built. Threads: off the tick.
 #pragma once
 
 #include "haptics/collision/collision_tree.h"
-#include "haptics/collision/safe_levels.h"
+#include "haptics/curve/curve_set.h"
 
+#include <array>
+#include <compare>
 #include <cstddef>
 #include <vector>
 
 namespace touchline {
 
+/// Two nodes, not neighbours along an outline, whose boxes meet: each of `level`, or of its piece's
+/// coarsest level if that is finer.
+struct MeetingNodes {
+    int level = 0;  // > 0
+    std::array<SegmentRef, 2> nodes;
+
+    friend auto operator<=>(const MeetingNodes&, const MeetingNodes&) = default;
+};
+
+struct Meetings {
+    std::vector<MeetingNodes> pairs;
+    bool is_complete = true;  // false: too many to look for
+};
+
+/// A node over which something passes while its piece goes from `level` - 1 to `level`.
+struct UnsafeNode {
+    SegmentRef node;
+    int level = 0;
+};
+
+struct SafeLevels {
+    std::vector<int> coarsest;  // per piece: no change of level up to this one is unsafe
+    std::vector<UnsafeNode> unsafe;
+};
+
+/// `meetings` holds all of the curves' nodes. Lines that already cross at level 0 may continue to;
+/// no vertex passes over a line. O(pairs), each a few times.
+[[nodiscard]] SafeLevels find_safe_levels(const CurveSet& curves, Meetings meetings);
+
+/// Returns pins that separate the unsafe parts from the rest of their outline, so that the rest
+/// keeps its levels. Returns none if the lost levels are coarser than a hand at 0.5 m/s asks for.
+[[nodiscard]] std::vector<PinPlace> pins_for(const CurveSet& curves, const SafeLevels& safe);
+
+/// Walks down from the hierarchy over pairs of boxes that meet, so that distant boxes are never
+/// compared.
 class Crowding {
   public:
     /// Boxes nearer than twice `reach_m` crowd each other.
@@ -26,35 +64,28 @@ class Crowding {
     [[nodiscard]] Meetings find_meetings();
 
   private:
-    /// A node as it takes part at a level: pieces with fewer levels take part with their coarsest
-    /// one.
-    struct Part {
-        int piece, index;
-
-        friend bool operator==(const Part&, const Part&) = default;
-    };
-
+    /// The nodes that replace one at the next finer level. A node takes part at a level by its
+    /// piece and index: pieces with fewer levels take part with their coarsest one.
     struct Parts {
-        Part at[2];
+        SegmentRef at[2];
         int count;
     };
 
     void walk();
     void within_hierarchy(std::size_t bound);
     void between_bounds(std::size_t a, std::size_t b);
-    void within_roots(std::size_t a);
     void between_roots(std::size_t a, std::size_t b);
-    void between_neighbours(Part a, Part b, int level);
-    void between_strangers(Part a, Part b, int level);
-    void compare(Part a, Part b, int level);
-    void crowd(Part a, Part b, int level);
+    void between_neighbours(SegmentRef a, SegmentRef b, int level);
+    void between_strangers(SegmentRef a, SegmentRef b, int level);
+    void compare(SegmentRef a, SegmentRef b, int level);
+    void crowd(SegmentRef a, SegmentRef b, int level);
     void along_level(int piece, int level);
 
-    [[nodiscard]] int level_of(Part a, int level) const;
-    [[nodiscard]] Parts children(Part a, int level) const;
-    [[nodiscard]] bool are_neighbours(Part a, Part b, int level) const;
-    [[nodiscard]] bool is_last(Part a, int level) const;
-    void mark(Part a, int level);
+    [[nodiscard]] int level_of(SegmentRef a, int level) const;
+    [[nodiscard]] Parts children(SegmentRef a, int level) const;
+    [[nodiscard]] bool are_neighbours(SegmentRef a, SegmentRef b, int level) const;
+    [[nodiscard]] bool is_last(SegmentRef a, int level) const;
+    void mark(SegmentRef a, int level);
 
     const CollisionTree& tree_;
     const CurveSet& curves_;

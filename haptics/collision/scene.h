@@ -1,17 +1,36 @@
-// What the servo feels: a map's curves and the collision tree over them.
-// Threads: immutable once built (off the tick); any thread may read.
+// What the servo feels: a map's curves, the collision tree over them, and the way along the
+// outlines for a guided hand: level 0 in the map's order, cut where the hand is to rest. Threads:
+// immutable once built (off the tick); any thread may read.
 #pragma once
 
 #include "config/types/result.h"
 #include "config/types/tactile_map.h"
 #include "haptics/collision/collision_tree.h"
-#include "haptics/collision/legs.h"
 #include "haptics/curve/curve_set.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace touchline {
+
+/// A part of a piece's level-0 polyline, from point `first` to point `last` > first. In a closed
+/// piece of n points, point n is point 0.
+struct Leg {
+    int outline = 0;  // index in the map
+    int piece = 0;
+    int first = 0;
+    int last = 0;
+    bool starts_outline = false;
+    bool rests_at_end = false;  // a corner, a junction, a label or the outline's end
+    int label = -1;             // map label at its end; -1: none
+    double run_m = 0.0;         // from its start to the next resting place
+};
+
+/// Cuts the outlines into legs. A label counts if an outline passes within 10 mm of it; the hand
+/// rests at the vertex nearest to it. O((points + labels) log).
+[[nodiscard]] std::vector<Leg> legs_of(const CurveSet& curves, const CollisionTree& tree,
+                                       std::span<const Label> labels);
 
 struct Scene {
     CurveSet curves;

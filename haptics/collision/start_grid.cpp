@@ -15,19 +15,15 @@ constexpr double least_cell_m = 2e-4;  // a fast hand's way in a tick
 
 }  // namespace
 
-StartGrid::StartGrid(std::vector<Stretch> stretches, std::span<const Position> low,
-                     std::span<const Position> high)
+StartGrid::StartGrid(std::vector<Stretch> stretches, std::span<const Shadow> bounds)
     : stretches_(std::move(stretches)) {
     if (stretches_.empty()) return;
-    low_ = low[0];
-    Position top = high[0];
-    for (std::size_t i = 0; i < low.size(); ++i) {
-        low_ = {std::min(low_.x, low[i].x), std::min(low_.y, low[i].y)};
-        top = {std::max(top.x, high[i].x), std::max(top.y, high[i].y)};
-    }
+    Shadow all = no_shadow;
+    for (const Shadow& bound : bounds) all.hold(bound);
+    low_ = {all.along_low, all.across_low};
     const double wanted = std::clamp(cells_per_stretch * static_cast<double>(stretches_.size()),
                                      least_cells, most_cells);
-    const Position size = top - low_;
+    const Position size = Position{all.along_high, all.across_high} - low_;
     cell_m_ = std::max(
         {std::sqrt(size.x * size.y / wanted), std::max(size.x, size.y) / wanted, least_cell_m});
     per_cell_m_ = 1.0 / cell_m_;
@@ -41,8 +37,9 @@ StartGrid::StartGrid(std::vector<Stretch> stretches, std::span<const Position> l
     };
     const auto for_each_cell = [&](auto&& visit) {
         for (std::size_t i = 0; i < stretches_.size(); ++i) {
-            for (int y = row(low[i].y); y <= row(high[i].y); ++y) {
-                for (int x = column(low[i].x); x <= column(high[i].x); ++x) {
+            const Shadow& at = bounds[i];
+            for (int y = row(at.across_low); y <= row(at.across_high); ++y) {
+                for (int x = column(at.along_low); x <= column(at.along_high); ++x) {
                     visit(static_cast<std::size_t>(y * columns_ + x), i);
                 }
             }

@@ -29,9 +29,8 @@ class StartGrid {
 
     StartGrid() = default;
 
-    /// `low` and `high` bound each stretch. O(stretches + cells).
-    StartGrid(std::vector<Stretch> stretches, std::span<const Position> low,
-              std::span<const Position> high);
+    /// `bounds` are those of each stretch, x along and y across. O(stretches + cells).
+    StartGrid(std::vector<Stretch> stretches, std::span<const Shadow> bounds);
 
     /// Returns nothing if the way is too long to be worth it: more than nine cells. O(1).
     [[nodiscard]] std::optional<Cells> cells_near(const Way& way) const;

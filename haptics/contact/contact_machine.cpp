@@ -9,6 +9,28 @@
 namespace touchline {
 namespace {
 
+constexpr double longest_slide_m = 5e-4;
+constexpr double least_cosine = 0.7;  // of a turn that is none: a corner turns by 45 degrees
+
+/// Returns the edge with which the line goes on at the nearer end, if it does.
+SegmentRef continuation(RenderedOutlines& outlines, const Contact& at) {
+    const bool at_end = at.parameter > 0.5;
+    const SegmentRef next = outlines.next(at.segment, at_end);
+    if (next.piece < 0) return {};
+    const Direction own =
+        direction_of(outlines.segment(at.segment).b - outlines.segment(at.segment).a);
+    const Segment other = outlines.segment(next);
+    return dot(own, direction_of(other.b - other.a)) > least_cosine ? next : SegmentRef{};
+}
+
+/// True on an edge of one line, or where two of its edges follow each other.
+bool is_on_one_line(RenderedOutlines& outlines, const ProxyState& proxy) {
+    if (proxy.state == ContactState::edge) return true;
+    if (proxy.state == ContactState::free) return false;
+    const SegmentRef next = continuation(outlines, proxy.contacts[0]);
+    return next.piece >= 0 && (proxy.contact_count == 1 || next == proxy.contacts[1].segment);
+}
+
 // The time a step may still need to return once it is late. The first step on a scene needs more,
 // because it finds neither data nor code in any cache.
 constexpr std::int64_t return_ns = 3000;
@@ -25,6 +47,34 @@ double bounded(const Scene& scene, double level) {
 }
 
 }  // namespace
+
+bool PopThrough::step(RenderedOutlines& outlines, Position handle, const ContactSettings& settings,
+                      const Budget& budget, double dt_s, ProxyState& proxy, int& boxes) {
+    if (!(settings.pop_through_N > 0.0)) return false;
+    const double push_N = settings.stiffness_N_per_m * norm(handle - proxy.centre);
+    const bool is_push = push_N >= settings.pop_through_N && is_on_one_line(outlines, proxy);
+    const bool is_same =
+        is_push && pushed_s_ > 0.0 && norm(proxy.centre - place_) <= longest_slide_m;
+    if (!is_same) place_ = proxy.centre;
+    pushed_s_ = is_push ? dt_s + (is_same ? pushed_s_ : 0.0) : 0.0;
+    if (!is_push || !(pushed_s_ >= settings.pop_through_s)) return false;
+
+    const Contact& at = proxy.contacts[0];
+    const Position on_line = point_of(outlines.segment(at.segment), at.parameter);
+    const Position skin = along<Position>(at.normal, 2.0 * contact_skin_m);
+    const Motion through{on_line + skin,
+                         on_line - skin,
+                         contact_skin_m,
+                         outlines.level(),
+                         {at.segment, continuation(outlines, at)}};
+    const Hit hit = outlines.scene().tree.first_hit(outlines.scene().curves, through, budget);
+    boxes += hit.boxes;
+    if (hit.is_hit || hit.clear < 1.0) return false;
+    proxy = {};
+    proxy.centre = on_line - skin;
+    pushed_s_ = 0.0;
+    return true;
+}
 
 void ContactMachine::reset(const Scene& scene, Position handle, double level) {
     outlines_ = RenderedOutlines(scene, bounded(scene, level));
@@ -124,7 +174,7 @@ bool ContactMachine::rebind(const Scene* scene) {
     if (scene == nullptr) return true;
     if (!(level >= 0.0 && level <= most_level)) return false;
     outlines_ = RenderedOutlines(*scene, level);
-    const auto pieces = static_cast<int>(scene->curves.pieces().size());
+    const auto pieces = scene->curves.piece_count();
     if (touched_piece_ < -1 || touched_piece_ >= pieces || !groove_.fits(outlines_)) return false;
     const int least = proxy_.state == ContactState::free ? 0 : 1;
     if (proxy_.contact_count < least || proxy_.contact_count > 2) return false;
@@ -182,9 +232,7 @@ void ContactMachine::hold(Position handle, double level, const ContactSettings& 
     if (held.at.exists()) {
         proxy_.state = ContactState::edge;
         proxy_.contact_count = 1;
-        proxy_.contacts[0].segment = held.at.segment;
-        proxy_.contacts[0].parameter = held.at.parameter;
-        proxy_.contacts[0].side = held.side;
+        proxy_.contacts[0] = {held.at.segment, held.at.parameter, held.side, {}, 0.0, false};
     }
     report.transitions.add(proxy_.state);
 }
@@ -257,7 +305,7 @@ void ContactMachine::fill(ContactReport& report) {
     }
     const Contact& at = proxy_.contacts[0];
     const CurveSet& curves = outlines_.scene().curves;
-    const Piece& piece = curves.pieces()[static_cast<std::size_t>(at.segment.piece)];
+    const Piece& piece = curves.piece(at.segment.piece);
     report.level = curves.rendered_level(at.segment.piece, outlines_.level());
     report.outline = piece.outline;
     report.piece = touched_piece_ = at.segment.piece;
@@ -272,7 +320,7 @@ void ContactMachine::fill(ContactReport& report) {
 /// end, further on.
 bool ContactMachine::is_beyond_end(int piece) {
     const CurveSet& curves = outlines_.scene().curves;
-    const Piece& line = curves.pieces()[static_cast<std::size_t>(piece)];
+    const Piece& line = curves.piece(piece);
     const int last = curves.rendered_count(piece, outlines_.level()) - 1;
     const auto is_beyond = [&](Position end, Position inward) {
         const Position off = proxy_.centre - end;

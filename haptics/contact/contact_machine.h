@@ -1,17 +1,15 @@
-// The paper's three-state contact machine (section 4) for a disc-shaped proxy.
-// Threads: one, the servo's. No allocation, lock, clock or log in step().
+// The paper's three-state contact machine (section 4) for a disc-shaped proxy, and what it does
+// beside the paper: a wall lets a determined hand through, and the force fades over where the
+// machine itself has changed it. Threads: one, the servo's. No allocation, lock, clock or log in
+// step().
 #pragma once
 
 #include "config/types/hand_state.h"
 #include "config/types/vec2.h"
 #include "haptics/collision/scene.h"
-#include "haptics/contact/energy_account.h"
-#include "haptics/contact/gap_fade.h"
 #include "haptics/contact/groove.h"
-#include "haptics/contact/pop_through.h"
 #include "haptics/contact/proxy_state.h"
 #include "haptics/contact/rendered_outlines.h"
-#include "haptics/contact/state_trail.h"
 #include "haptics/contact/wall_motion.h"
 
 #include <cstdint>
@@ -19,6 +17,51 @@
 #include <vector>
 
 namespace touchline {
+
+/// Joins the forces before and after a change that the hand did not make: a switch of mode, or a
+/// wall that lets the hand through. What is missing from the force before the change shrinks by 20
+/// N/s: 0.02 N a tick, 50 ms for 1 N. Its work on a hand at speed v is at most gap^2 v / (40 N/s).
+class GapFade {
+  public:
+    /// From here on the force continues from `before`, although the change made it `after`.
+    void start(Force before, Force after) {
+        gap_ = is_finite(before - after) ? before - after : Force{};
+    }
+
+    /// Returns the force to add in this tick.
+    [[nodiscard]] Force step(double dt_s) {
+        const Force now = gap_;
+        const double size_N = norm(gap_);
+        const double step_N = rate_N_per_s * dt_s;
+        gap_ = size_N > step_N ? (1.0 - step_N / size_N) * gap_ : Force{};
+        return now;
+    }
+
+    [[nodiscard]] bool is_open() const { return gap_ != Force{}; }
+
+  private:
+    static constexpr double rate_N_per_s = 20.0;
+
+    Force gap_;
+};
+
+/// A wall that lets a determined hand through: one that pushes hard, for a while, at one place.
+class PopThrough {
+  public:
+    /// Advances one tick of `dt_s`, before the proxy moves. Once K |handle - proxy| has been at
+    /// least settings.pop_through_N for pop_through_s, and the proxy has not slid further than 0.5
+    /// mm, puts the proxy on the other side of its edge, at the same parameter, free and as small
+    /// as a point, and returns true. It never goes through a second line, nor where the line turns
+    /// by a corner: there the proxy stays, and the push may go on elsewhere. Off (false) if
+    /// pop_through_N is not above 0.
+    [[nodiscard]] bool step(RenderedOutlines& outlines, Position handle,
+                            const ContactSettings& settings, const Budget& budget, double dt_s,
+                            ProxyState& proxy, int& boxes);
+
+  private:
+    double pushed_s_ = 0.0;
+    Position place_;  // of the proxy when the push began
+};
 
 inline constexpr int max_walks = 256;            // edges slid along in a step
 inline constexpr int max_tree_queries = 4;       // in a step; as many again where a disc rounds
@@ -61,7 +104,7 @@ class ContactMachine {
     /// of the way is carried to the next tick. |handle - proxy| never grows by that. A handle that
     /// is not finite gives zero force and moves nothing. For the other modes see Groove::step(). A
     /// new mode takes over at once, a wall with the proxy at the handle, and the force fades over
-    /// (gap_fade.h). After that, and after a pop through, the proxy is as small as the place is.
+    /// (GapFade). After that, and after a pop through, the proxy is as small as the place is.
     [[nodiscard]] ContactReport step(Position handle, double level, const ContactSettings& settings,
                                      const Budget& budget, double dt_s = 1e-3);
 

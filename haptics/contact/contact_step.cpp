@@ -1,6 +1,8 @@
 #include "haptics/contact/contact_step.h"
 
 #include "config/types/steady_clock.h"
+#include "haptics/collision/touch.h"
+#include "haptics/contact/vertex.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +10,76 @@
 namespace touchline {
 namespace {
 
+// The centre may lie up to two skins off beside a vertex, which moves its distance to the handle
+// and, by friction, what holds it.
+constexpr double slack_m = 5.0 * contact_skin_m;
+constexpr double least_square_m2 = 64.0 * contact_skin_m * contact_skin_m;  // of an edge's length
+constexpr double least_cosine2 = 0.01;                                      // of a turn, squared
+
+/// A handle as seen from the start of an edge, times the edge's length: exact signs, no root.
+struct Look {
+    double along;  // ahead
+    double depth;  // behind the edge
+    double slack;
+    double square;  // of the edge's length
+};
+
+Look look(Position edge, Position to_handle, double side_of_travel) {
+    return {dot(edge, to_handle), -side_of_travel * cross(edge, to_handle),
+            slack_m * (std::abs(edge.x) + std::abs(edge.y)), dot(edge, edge)};
+}
+
 constexpr int longest_stride = 64;  // vertices between two looks at the clock: under 1 us
 
 }  // namespace
+
+int vertices_passed(const EdgeRow& row, const CollisionTree& tree, int index, bool is_forward,
+                    const Pull& pull, int most) {
+    const int step = is_forward ? 1 : -1;
+    const double side = static_cast<double>(pull.side) * step;
+    const auto count = static_cast<int>(row.points.size());
+    const Position* const points = row.points.data();
+    int vertex = is_forward ? index + 1 : index;  // the one ahead
+    const int behind = vertex - step;
+    if (behind < 0 || behind >= count || vertex < 0 || vertex >= count) return 0;
+    Position edge = points[vertex] - points[behind];
+    Look at = look(edge, pull.handle - points[behind], side);
+    int passed = 0;
+    for (; passed < most; ++passed) {
+        const int ahead = vertex + step;
+        if (ahead < 0 || ahead >= count) break;
+        const bool is_pulled_to_end =
+            at.along - at.square > held_by_friction(pull.friction, at.depth) + at.slack &&
+            at.depth >= 0.0;
+        const Position next = points[ahead] - points[vertex];
+        const Look there = look(next, pull.handle - points[vertex], side);
+        const bool is_pulled_on =
+            there.depth >= there.slack &&
+            there.along > held_by_friction(pull.friction, there.depth) + there.slack;
+        const double turn = dot(edge, next);
+        const bool is_gentle = turn > 0.0 && turn * turn > least_cosine2 * at.square * there.square;
+        const bool is_edge = there.square > least_square_m2;
+        const auto node = row.first_node + static_cast<std::size_t>(is_forward ? vertex : ahead);
+        if (!(is_pulled_to_end & is_pulled_on & is_gentle & is_edge) || !tree.is_alone(node)) break;
+        edge = next;
+        at = there;
+        vertex = ahead;
+    }
+    return passed;
+}
+
+Passage passage(Position vertex, Direction before, Direction after, double side_of_travel,
+                double skin_m) {
+    const Direction normal_before = side_of_travel * left_of(before);
+    const Direction normal = side_of_travel * left_of(after);
+    if (dot(after, normal_before) < 0.0) {  // convex
+        return {vertex + along<Position>(normal_before, skin_m),
+                vertex + along<Position>(normal, skin_m), normal, 0.0};
+    }
+    const double share = 1.0 / (1.0 + dot(normal_before, normal));
+    const auto offset = along<Position>(share * (normal_before + normal), skin_m);
+    return {vertex + offset, vertex + offset, normal, dot(offset, after)};
+}
 
 void ContactStep::run(Position handle, ContactReport& report) {
     handle_ = handle;
@@ -72,14 +141,10 @@ ContactStep::Next ContactStep::move_on_edge() {
     const Contact& at = first();
     const Position pull = handle_ - proxy_.centre;
     const double depth = -dot(pull, at.normal);
-    if (depth < 0.0) {
-        proxy_.contact_count = 0;
-        enter(ContactState::free);
-        return Next::again;
-    }
+    if (depth < 0.0) return let_go();
     const Segment s = outlines_.segment(at.segment);
     const double way_m = dot(pull, direction_of(s.b - s.a));
-    const double held_m = settings_.friction * depth;
+    const double held_m = held_by_friction(settings_.friction, depth);
     if (std::abs(way_m) <= std::max(held_m, still_m)) return Next::done;
     return slide(way_m - std::copysign(held_m, way_m));
 }
@@ -160,7 +225,7 @@ bool ContactStep::rest_on_edge() {
     const Position pull = handle_ - proxy_.centre;
     const double depth = -dot(pull, at.normal);
     const double pulled_m = dot(pull, edge.along);
-    const double way_m = std::abs(pulled_m) - settings_.friction * depth;
+    const double way_m = std::abs(pulled_m) - held_by_friction(settings_.friction, depth);
     const bool is_forward = pulled_m > 0.0;
     const double left_m = (is_forward ? 1.0 - at.parameter : at.parameter) * edge.length_m;
     const bool is_short = way_m > 0.0 && way_m + 2.0 * at.offset_m <= left_m;
@@ -216,7 +281,7 @@ bool ContactStep::rest_in_corner() {
     if (next.piece < 0) return false;
     const double left_m = (is_forward ? 1.0 - at.parameter : at.parameter) * edge.length_m;
     const double depth_here = -dot(pull, at.normal);
-    const double way_m = std::abs(pulled_m) - settings_.friction * depth_here;
+    const double way_m = std::abs(pulled_m) - held_by_friction(settings_.friction, depth_here);
     if (!(depth_here >= 0.0 && way_m > left_m)) return false;
     const double sign = is_forward ? 1.0 : -1.0;
     const Edge& ahead = outlines_.edge(next);
@@ -227,7 +292,8 @@ bool ContactStep::rest_in_corner() {
                                    sign * sign_of(at.side), at.offset_m);
     const Position pull_there = handle_ - corner.enter;
     const double depth = -dot(pull_there, corner.normal);
-    const bool is_pulled_on = depth >= 0.0 && dot(pull_there, after) > settings_.friction * depth;
+    const bool is_pulled_on =
+        depth >= 0.0 && dot(pull_there, after) > held_by_friction(settings_.friction, depth);
     const double inset_m = corner.inset_m;
     if (is_pulled_on || inset_m > left_m || 2.0 * inset_m > ahead.length_m) return false;
     const double end = inset_m * edge.per_length_m;
@@ -249,6 +315,14 @@ Passage ContactStep::passage_after(int index, int step) {
     const double sign = step;
     return passage(step > 0 ? before.b : before.a, direction_of(sign * (before.b - before.a)),
                    direction_of(sign * (after.b - after.a)), sign * sign_of(at.side), at.offset_m);
+}
+
+/// A vertex is left over its edge.
+ContactStep::Next ContactStep::let_go() {
+    proxy_.contact_count = 0;
+    enter(ContactState::edge);
+    enter(ContactState::free);
+    return Next::again;
 }
 
 void ContactStep::enter(ContactState state) {
@@ -276,8 +350,87 @@ void ContactStep::place_at_contact() {
 }
 
 void ContactStep::place_at_contact(const Segment& segment) {
-    const Contact& at = first();
-    place(point_of(segment, at.parameter) + along<Position>(at.normal, at.offset_m));
+    place(centre_of(segment, first()));
+}
+
+/// Finds what stops a motion: by a query, or among the neighbours of an edge that is alone.
+ContactStep::Sweep ContactStep::sweep(Position to, double radius_m, const Excluded& excluded,
+                                      bool is_alone) {
+    if (norm(to - proxy_.centre) <= still_m) return {};
+    return is_alone ? sweep_neighbours(to, radius_m, excluded) : sweep_tree(to, radius_m, excluded);
+}
+
+ContactStep::Sweep ContactStep::sweep_tree(Position to, double radius_m, const Excluded& excluded) {
+    if (queries_ == max_tree_queries) {
+        report_->clear = 0.0;
+        return {0.0, true, 0.0, {}};
+    }
+    ++queries_;
+    const Motion motion{proxy_.centre, to, radius_m, outlines_.level(), excluded};
+    const Hit hit = outlines_.scene().tree.first_hit(outlines_.scene().curves, motion, budget_);
+    budget_.boxes -= hit.boxes;
+    report_->boxes += hit.boxes;
+    if (!hit.is_hit) report_->clear = std::min(report_->clear, hit.clear);
+    Sweep result{hit.clear, !hit.is_hit && hit.clear < 1.0, hit.spare_m, {}};
+    if (hit.is_hit) result.contact = contact_of(hit.segment, hit.touch);
+    return result;
+}
+
+/// Only the neighbours along the outline are within reach: three each way cover the nodes beside
+/// this one at a fractional level, one each way at a whole level.
+ContactStep::Sweep ContactStep::sweep_neighbours(Position to, double radius_m,
+                                                 const Excluded& excluded) {
+    Sweep result;
+    for (const SegmentRef& start : excluded) {
+        for (const bool is_forward : {true, false}) {
+            SegmentRef at = start;
+            const int reached = outlines_.is_fractional() ? 3 : 1;
+            for (int i = 0; i < reached && at.piece >= 0; ++i) {
+                at = outlines_.next(at, is_forward);
+                if (at.piece < 0 || at == excluded[0] || at == excluded[1]) continue;
+                const auto found = touch(proxy_.centre, to, radius_m, outlines_.segment(at));
+                if (!found || found->fraction >= result.share) continue;
+                result = {found->fraction, false, 0.0, contact_of(at, *found)};
+            }
+        }
+    }
+    return result;
+}
+
+/// Although a smaller disc met nothing on its way, the whole disc may overlap something at the end.
+/// Left there, it would sink a little at every pass.
+std::optional<Contact> ContactStep::too_near(Position centre, double radius_m) {
+    if (radius_m <= contact_skin_m || overlap_queries_ == max_tree_queries) return {};
+    ++overlap_queries_;
+    const Closest near =
+        outlines_.scene().tree.closest_point(outlines_.scene().curves, centre, outlines_.level(),
+                                             radius_m - approach_tolerance_m, budget_);
+    budget_.boxes -= near.boxes;
+    report_->boxes += near.boxes;
+    if (near.segment.piece < 0) return {};
+    const Segment s = outlines_.segment(near.segment);
+    const Side side = cross(s.b - s.a, centre - near.point) < 0.0 ? Side::right : Side::left;
+    const bool is_end = near.parameter == 0.0 || near.parameter == 1.0;
+    return Contact{near.segment, near.parameter, side, normal_of(s, side), near.distance_m, is_end};
+}
+
+Contact ContactStep::contact_of(SegmentRef segment, Touch touch) {
+    // A segment that is a point is the end of an edge beside it.
+    if (is_point(outlines_.segment(segment))) [[unlikely]] {
+        const SegmentRef before = outlines_.next(segment, false);
+        segment = before.piece >= 0 ? before : outlines_.next(segment, true);
+        touch.parameter = before.piece >= 0 ? 1.0 : 0.0;
+    }
+    if (const auto front = contact_in_front(outlines_, segment, touch)) return *front;
+    // At a joint one edge alone is not enough: seen from a sharp tip, the normal may point to the
+    // other side of either edge. It always lies on the outer side of the two together.
+    Direction left = normal_of(outlines_.segment(segment), Side::left);
+    if (touch.is_end) {
+        const SegmentRef over = outlines_.next(segment, touch.parameter > 0.5);
+        if (over.piece >= 0) left = left + normal_of(outlines_.segment(over), Side::left);
+    }
+    const Side side = dot(left, touch.normal) < 0.0 ? Side::right : Side::left;
+    return {segment, touch.parameter, side, touch.normal, touch.distance_m, touch.is_end};
 }
 
 }  // namespace touchline

@@ -1,19 +1,51 @@
-// One servo step of the contact machine in wall mode.
-// Threads: a value on the stack of ContactMachine::step(). No allocation.
+// One servo step of the contact machine in wall mode. If an outline is rendered more finely than
+// the hand moves, a step passes many short edges, and a look at each must cost only a few
+// nanoseconds: a stride says how far along a row of edges the handle pulls a thin proxy without a
+// stop. Threads: pure functions, and a value on the stack of ContactMachine::step(). No allocation.
 #pragma once
 
 #include "config/types/vec2.h"
+#include "haptics/collision/collision_tree.h"
 #include "haptics/collision/scene.h"
 #include "haptics/contact/contact_machine.h"
 #include "haptics/contact/proxy_state.h"
 #include "haptics/contact/rendered_outlines.h"
-#include "haptics/contact/stride.h"
 
 #include <algorithm>
 #include <optional>
 #include <vector>
 
 namespace touchline {
+
+/// What pulls, and the side of the outline along which it pulls the proxy.
+struct Pull {
+    Position handle;
+    Side side = Side::left;
+    double friction = 0.0;  // 0 ... 1
+};
+
+/// Returns how many vertices in a row a proxy, a point on edge `index`, is pulled over. A vertex
+/// counts if the handle's foot lies beyond the edge's end, and the handle presses on the next edge
+/// and pulls along it by more than friction holds. It counts only if this is clear for any offset
+/// of up to two contact skins, both edges are alone, and the next one turns by less than 84
+/// degrees; at most `most`, and not over the end of the row. No root, no division: about 40
+/// operations a vertex.
+[[nodiscard]] int vertices_passed(const EdgeRow& row, const CollisionTree& tree, int index,
+                                  bool is_forward, const Pull& pull, int most);
+
+/// How the centre of a proxy that keeps `skin_m` from both edges gets past a vertex.
+struct Passage {
+    Position leave;        // beside the vertex, as far as it goes along the first edge
+    Position enter;        // where it begins to go along the next; the same at a concave vertex
+    Direction normal;      // of the next edge
+    double inset_m = 0.0;  // of `enter`, along the next edge from the vertex
+};
+
+/// `before`, `after`: directions of travel, turning by less than a right angle. The way over a
+/// convex vertex is a chord of at most 1.4 skins; at a concave one it turns where the lines at
+/// `skin_m` from the two edges cross.
+[[nodiscard]] Passage passage(Position vertex, Direction before, Direction after,
+                              double side_of_travel, double skin_m);
 
 inline constexpr double still_m = 1e-14;  // a motion this short is rounding
 
@@ -65,6 +97,7 @@ class ContactStep {
     bool rest_in_corner();
     [[nodiscard]] Passage passage_after(int index, int step);
 
+    Next let_go();
     Next move_round();
     Next move_at_corner();
 

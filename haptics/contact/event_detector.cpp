@@ -27,8 +27,7 @@ double beyond_m(Position p, const Area& area) {
 }
 
 bool is_nearer_to_start(const CurveSet& curves, const ContactReport& contact) {
-    const double along = contact.parameter -
-                         curves.pieces()[static_cast<std::size_t>(contact.piece)].first_parameter;
+    const double along = contact.parameter - curves.piece(contact.piece).first_parameter;
     return along < 0.5 * curves.segment_count(contact.piece, 0);
 }
 
@@ -101,13 +100,13 @@ void EventDetector::tell_places(const EventInput& input, TickEvents& events) {
 bool EventDetector::has_passed_corner(const EventInput& input) const {
     const ContactReport& contact = input.contact;
     const CurveSet& curves = input.scene->curves;
-    const Piece& piece = curves.pieces()[static_cast<std::size_t>(contact.piece)];
+    const Piece& piece = curves.piece(contact.piece);
     const bool is_round =
         piece.next == contact.piece && std::abs(contact.parameter - last_parameter_) >
                                            0.5 * curves.segment_count(contact.piece, 0);
     if (contact.piece == last_piece_ && !is_round) return false;
     if (is_nearer_to_start(curves, contact)) return piece.starts_at_corner;
-    return piece.next < 0 || curves.pieces()[static_cast<std::size_t>(piece.next)].starts_at_corner;
+    return piece.next < 0 || curves.piece(piece.next).starts_at_corner;
 }
 
 /// The area is left when the hand is 1 mm outside, and entered when it is 1 mm inside.

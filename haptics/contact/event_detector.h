@@ -35,7 +35,7 @@ class TickEvents {
     std::span<const ContactEvent> all() const&& = delete;  // they would be gone
 
   private:
-    std::array<ContactEvent, 10> events_;
+    std::array<ContactEvent, contact_event_count> events_;
     std::size_t count_ = 0;
 };
 

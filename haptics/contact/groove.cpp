@@ -1,25 +1,90 @@
 #include "haptics/contact/groove.h"
 
+#include "haptics/contact/proxy_state.h"
+
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace touchline {
 namespace {
 
+constexpr int max_segments = 256;  // slid over in a tick
+
+/// Where a slide along one segment ends.
+struct Slide {
+    Attachment at;
+    double way_m = 0.0;
+};
+
+/// Goes on to the neighbour ahead (behind) if the foot there is nearer than the one here: to its
+/// near end if this segment's end is reached, or, inside a bend, to the foot itself.
+std::optional<Slide> onward(RenderedOutlines& outlines, const Attachment& at, const Foot& here,
+                            Position handle, bool is_forward) {
+    const SegmentRef next = outlines.next(at.segment, is_forward);
+    if (next.piece < 0) return {};
+    const Segment s = outlines.segment(next);
+    const Foot there = foot(handle, s);
+    if (!(there.distance_m < here.distance_m)) return {};
+    const Position joint = is_forward ? s.a : s.b;
+    const double near_end = is_forward ? 0.0 : 1.0;
+    if (at.parameter == 1.0 - near_end) return Slide{{next, near_end}, 0.0};
+    return Slide{{next, there.parameter}, norm(joint - here.point) + norm(there.point - joint)};
+}
+
 constexpr double handover_margin_m = 2e-4;
-constexpr double fade_s = 0.03;             // of a handover
-constexpr double largest_fade_N = 0.015;    // in a tick
-constexpr double recovery_s = 0.05;         // of the strength, 0 to 1
-constexpr double valley_m = 1.5e-3;         // between two ridges, where both have a share
-constexpr double largest_push_N = 0.0075;   // by a change of level in a tick
-constexpr double largest_slide_N = 0.0075;  // by a slide that is late, in a tick
-constexpr double largest_hop_N = 0.015;     // across the inside of a bend
+constexpr double fade_s = 0.03;                  // of a handover
+constexpr double largest_fade_N = 0.015;         // in a tick
+constexpr double recovery_s = 0.05;              // of the strength, 0 to 1
+constexpr double valley_m = 1.5e-3;              // between two ridges, where both have a share
+constexpr double largest_level_push_N = 0.0075;  // by a change of level in a tick
+constexpr double largest_slide_N = 0.0075;       // by a slide that is late, in a tick
+constexpr double largest_hop_N = 0.015;          // across the inside of a bend
 
 double blend(double before, double now, double share) {
     return before + share * (now - before);
 }
 
 }  // namespace
+
+Position point_of(RenderedOutlines& outlines, const Attachment& at) {
+    return point_of(outlines.segment(at.segment), at.parameter);
+}
+
+Attachment slid(RenderedOutlines& outlines, Attachment at, Position handle, double longest_m,
+                double longest_hop_m) {
+    double left_m = longest_m;
+    for (int i = 0; i < max_segments; ++i) {
+        const Segment s = outlines.segment(at.segment);
+        const Foot here = foot(handle, s);
+        const double length_m = norm(s.b - s.a);
+        const double way = here.parameter - at.parameter;
+        if (!(std::abs(way) * length_m <= left_m)) {
+            at.parameter += std::copysign(left_m / length_m, way);
+            return at;
+        }
+        left_m -= std::abs(way) * length_m;
+        at.parameter = here.parameter;
+        auto next = onward(outlines, at, here, handle, true);
+        if (!next) next = onward(outlines, at, here, handle, false);
+        if (!next || !(next->way_m <= longest_hop_m)) return at;
+        longest_hop_m -= next->way_m;
+        at = next->at;
+    }
+    return at;
+}
+
+Attachment at_level(const CurveSet& curves, const Attachment& at, double from, double to) {
+    const int piece = at.segment.piece;
+    const double parameter = curves.outline_parameter(piece, from, at.segment.index, at.parameter);
+    const double from_start = parameter - curves.piece(piece).first_parameter;
+    const int stride = 1 << static_cast<int>(curves.rendered_level(piece, to));
+    const int last = curves.rendered_count(piece, to) - 1;
+    const int index = std::clamp(static_cast<int>(from_start / stride), 0, last);
+    const double begin = curves.outline_parameter(piece, to, index, 0.0);
+    const double end = curves.outline_parameter(piece, to, index, 1.0);
+    return {{piece, index}, std::clamp((parameter - begin) / (end - begin), 0.0, 1.0)};
+}
 
 GrooveForce Groove::step(RenderedOutlines& outlines, double level, Position handle,
                          const ContactSettings& settings, const Budget& budget, double dt_s) {
@@ -77,13 +142,13 @@ void Groove::change_level(RenderedOutlines& outlines, double level, const Captur
             at = at_level(curves, at, from, to);
             push_N = std::max(push_N, law.steepest_N_per_m() * norm(point_of(after, at) - old));
         }
-        if (push_N <= largest_push_N) {
+        if (push_N <= largest_level_push_N) {
             now_ = both[0];
             before_ = both[1];
             outlines = after;
             return;
         }
-        step *= 0.95 * largest_push_N / push_N;
+        step *= 0.95 * largest_level_push_N / push_N;
     }
 }
 

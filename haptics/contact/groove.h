@@ -1,15 +1,88 @@
 // Groove, ridge and stay: the hand is tied to a line, or pushed off it, on the same rendered curve
-// as the wall. Threads: one, the servo's. No allocation.
+// as the wall. The laws of the force are gradients of a potential and end smoothly at the capture
+// width; the hand is tied to a bead on the outline, which slides towards the hand and stays on the
+// curve when the level changes. Threads: one, the servo's. No allocation.
 #pragma once
 
 #include "config/types/vec2.h"
-#include "haptics/contact/attachment.h"
-#include "haptics/contact/capture_law.h"
-#include "haptics/contact/energy_account.h"
 #include "haptics/contact/proxy_state.h"
 #include "haptics/contact/rendered_outlines.h"
 
 namespace touchline {
+
+/// The force of a line on a hand near it, by distance. d: distance, w: capture width, K: stiffness.
+///   groove  K d (1 - (d/w)^2)^2 towards the line, at most 0.287 K w
+///   ridge   the same, away from it
+///   stay    K d (1 - (d/w)^8) towards it: stiff nearly to the edge, at most 0.676 K w, so that
+///           leaving takes a push
+/// 0 from w on. At K 500 N/m and w 3 mm that is 0.43 N and 1.01 N at most.
+class CaptureLaw {
+  public:
+    explicit CaptureLaw(const ContactSettings& settings)
+        : mode_(settings.mode),
+          stiffness_N_per_m_(settings.stiffness_N_per_m),
+          capture_m_(settings.capture_m) {}
+
+    [[nodiscard]] double capture_m() const { return capture_m_; }
+
+    /// The steepest slope of the force over the distance: K, and 8 K where stay gives way.
+    [[nodiscard]] double steepest_N_per_m() const {
+        return (mode_ == Mode::stay ? 8.0 : 1.0) * stiffness_N_per_m_;
+    }
+
+    /// Returns the pull, positive towards the line. Zero if the distance or the capture width is
+    /// NaN.
+    [[nodiscard]] double pull_N(double distance_m) const {
+        if (!(distance_m < capture_m_)) return 0.0;
+        const double spring_N = stiffness_N_per_m_ * distance_m;
+        const double rest = 1.0 - square_of_share(distance_m);
+        if (mode_ == Mode::stay) {
+            const double share_4 = (1.0 - rest) * (1.0 - rest);
+            return spring_N * (1.0 - share_4 * share_4);
+        }
+        return (mode_ == Mode::ridge ? -1.0 : 1.0) * spring_N * rest * rest;
+    }
+
+    /// The law's potential, >= 0: it is 0 on the line of a groove, and where a ridge ends.
+    [[nodiscard]] double energy_J(double distance_m) const {
+        const double q = distance_m < capture_m_ ? square_of_share(distance_m) : 1.0;
+        const double scale_J = stiffness_N_per_m_ * capture_m_ * capture_m_;
+        if (mode_ == Mode::stay) return scale_J * (0.5 * q - 0.1 * q * q * q * q * q);
+        const double rest = (1.0 - q) * (1.0 - q) * (1.0 - q);
+        return scale_J / 6.0 * (mode_ == Mode::ridge ? rest : 1.0 - rest);
+    }
+
+  private:
+    [[nodiscard]] double square_of_share(double distance_m) const {
+        const double share = distance_m / capture_m_;
+        return share * share;
+    }
+
+    Mode mode_;
+    double stiffness_N_per_m_;
+    double capture_m_;
+};
+
+struct Attachment {
+    SegmentRef segment;      // piece -1: none
+    double parameter = 0.0;  // on the segment, 0 ... 1
+
+    [[nodiscard]] bool exists() const { return segment.piece >= 0; }
+};
+
+[[nodiscard]] Position point_of(RenderedOutlines& outlines, const Attachment& at);
+
+/// Slides the attachment along its outline while that brings it nearer to the hand: at most
+/// `longest_m` and 256 segments. Inside a bend, where the way over the vertex first leads away from
+/// the hand, it hops to the next segment's nearest point, at most `longest_hop_m` further on. The
+/// distance to the hand never grows.
+[[nodiscard]] Attachment slid(RenderedOutlines& outlines, Attachment at, Position handle,
+                              double longest_m, double longest_hop_m);
+
+/// Returns the attachment at the same parameter of the outline, on the curve as rendered at level
+/// `to`. O(1).
+[[nodiscard]] Attachment at_level(const CurveSet& curves, const Attachment& at, double from,
+                                  double to);
 
 /// The result of a tick.
 struct GrooveForce {
@@ -27,9 +100,9 @@ struct GrooveForce {
 /// than 0.015 N a tick. In ridge mode, both lines keep a share by their distances while both are
 /// near, so that a hand between two lines rests.
 ///
-/// Work on the hand: let U be the stored energy of the laws (capture_law.h) and F the force of the
+/// Work on the hand: let U be the stored energy of the laws (CaptureLaw) and F the force of the
 /// tick before. No tick leaves more than U - F dh + 1/2 K |dh|^2 plus what the account covers
-/// (energy_account.h: what lines have dissipated, and 0.1 mW). If sliding, handing over, or a
+/// (EnergyAccount: what lines have dissipated, and 0.1 mW). If sliding, handing over, or a
 /// change of level or stiffness would leave more, the strength of all is reduced, and comes back as
 /// it is covered. So no closed loop of the hand gains more than the sum of 1/2 K |dh|^2 and 0.1 mW.
 class Groove {

@@ -74,7 +74,7 @@ class RenderedOutlines {
 
     /// Whether the segment exists.
     [[nodiscard]] bool has(SegmentRef ref) const {
-        const auto pieces = static_cast<int>(scene_->curves.pieces().size());
+        const auto pieces = scene_->curves.piece_count();
         return ref.piece >= 0 && ref.piece < pieces && ref.index >= 0 &&
                ref.index < scene_->curves.rendered_count(ref.piece, level_);
     }

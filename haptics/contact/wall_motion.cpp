@@ -1,6 +1,6 @@
 #include "haptics/contact/wall_motion.h"
 
-#include "haptics/contact/stride.h"
+#include "haptics/contact/contact_step.h"
 
 #include <algorithm>
 #include <cmath>
@@ -72,7 +72,7 @@ std::optional<ProxyState> WallMotion::pushed(const ProxyState& proxy, const Wall
     next.state = ContactState::edge;
     next.contacts[0] = at;
     next.contact_count = 1;
-    next.centre = point_of(s, at.parameter) + along<Position>(at.normal, at.offset_m);
+    next.centre = centre_of(s, at);
     const Excluded halves{hit.segment};
     // First the proxy goes ahead of the wall, which is not there yet; then the wall follows.
     const bool is_ok =
@@ -87,7 +87,7 @@ std::optional<ProxyState> WallMotion::carry_edge(const ProxyState& proxy) {
     at.normal = normal_of(s, at.side);
     ProxyState next = proxy;
     next.contacts[0] = at;
-    next.centre = point_of(s, at.parameter) + along<Position>(at.normal, at.offset_m);
+    next.centre = centre_of(s, at);
     const bool is_ok = is_way_free(proxy.centre, next.centre, {proxy.contacts[0].segment},
                                    {half.segment}, {at.segment});
     return is_ok ? std::optional(next) : std::nullopt;
@@ -110,8 +110,7 @@ std::optional<ProxyState> WallMotion::carry_round(const ProxyState& proxy) {
     }
     ProxyState next = proxy;
     next.contacts[0] = at;
-    next.centre = point_of(after_.segment(at.segment), at.parameter) +
-                  along<Position>(at.normal, at.offset_m);
+    next.centre = centre_of(after_.segment(at.segment), at);
     const SegmentRef beside = before_.next(old.segment, at_end);
     SegmentRef half_beside = beside;
     if (beside.piece >= 0) {
@@ -236,7 +235,7 @@ bool WallMotion::is_pair(SegmentRef half) const {
 /// A contact at the level before, in segments of the octave's finer level.
 Contact WallMotion::halved(Contact contact) const {
     const CurveSet& curves = before_.scene().curves;
-    const int coarsest = curves.pieces()[static_cast<std::size_t>(contact.segment.piece)].coarsest;
+    const int coarsest = curves.piece(contact.segment.piece).coarsest;
     if (change_.finer >= coarsest || change_.from < 1.0) return contact;
     contact.segment.index *= 2;
     if (!is_pair(contact.segment)) return contact;
@@ -249,11 +248,9 @@ Contact WallMotion::halved(Contact contact) const {
 /// Converts back, at the level after.
 Contact WallMotion::joined(Contact half) const {
     const CurveSet& curves = before_.scene().curves;
-    const int coarsest = curves.pieces()[static_cast<std::size_t>(half.segment.piece)].coarsest;
+    const int coarsest = curves.piece(half.segment.piece).coarsest;
     if (change_.finer >= coarsest || change_.to < 1.0) return half;
-    if (is_pair(half.segment)) {
-        half.parameter = 0.5 * (half.parameter + (half.segment.index % 2));
-    }
+    if (is_pair(half.segment)) half.parameter = 0.5 * (half.parameter + (half.segment.index % 2));
     half.segment.index /= 2;
     return half;
 }

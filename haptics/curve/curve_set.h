@@ -35,7 +35,7 @@ struct CurveOptions {
     /// 5).
     double keep_details = 1.0;
     /// Standard deviation per coordinate of the noise on the map's points (metres). Details are
-    /// shrunk on the levels that are mostly noise (denoising, paper section 5; shrink.h). 0: none.
+    /// shrunk on the levels that are mostly noise (denoising, paper section 5; wavelet.h). 0: none.
     double denoise_m = 0.0;
     /// Pins besides the map's corners, junctions and ends.
     std::vector<PinPlace> pins{};
@@ -74,7 +74,7 @@ struct SegmentRef {
 
 /// One piece as rendered at one level, looked up once for many segments. At a fraction w above
 /// level k its points are (1 - w) p_k + w p_(k+1), where p_(k+1) is the coarser polyline with its
-/// midpoints (architecture, "Levels blend"). A view: valid as long as its CurveSet.
+/// midpoints, so that a level blends into the next. A view: valid as long as its CurveSet.
 class RenderedPiece {
   public:
     [[nodiscard]] int segment_count() const { return segment_count_; }
@@ -114,6 +114,10 @@ class CurveSet {
     void limit_levels(std::span<const int> coarsest);
 
     [[nodiscard]] std::span<const Piece> pieces() const { return pieces_; }
+
+    [[nodiscard]] const Piece& piece(int i) const { return pieces_[static_cast<std::size_t>(i)]; }
+
+    [[nodiscard]] int piece_count() const { return static_cast<int>(pieces_.size()); }
 
     [[nodiscard]] std::span<const OutlineReport> reports() const { return reports_; }
 
@@ -163,7 +167,7 @@ class CurveSet {
     }
 
     /// Counts the segments of the piece as rendered at `level`; at a fractional level they are
-    /// those of the next finer whole level (architecture, "Levels blend").
+    /// those of the next finer whole level.
     [[nodiscard]] int rendered_count(int piece, double level) const;
 
     /// Returns a segment or a point of rendered(piece, level). O(1).

@@ -31,8 +31,7 @@ struct EdgeRange {
 };
 
 EdgeRange edges_of(const CurveSet& curves, int piece, int level, int j) {
-    const int stride =
-        1 << std::min(level, curves.pieces()[static_cast<std::size_t>(piece)].coarsest);
+    const int stride = 1 << std::min(level, curves.piece(piece).coarsest);
     return {j * stride, std::min((j + 1) * stride, curves.segment_count(piece, 0))};
 }
 
@@ -119,8 +118,8 @@ bool is_any_told(const CurveSet& curves, int level) {
         points_per_wavelength * std::ldexp(curves.finest_spacing_m(), level);
     const Tolerance kept{told_share * detection_threshold_m(wavelength_m),
                          std::tan(told_slope_rad)};
-    for (int piece = 0; piece < static_cast<int>(curves.pieces().size()); ++piece) {
-        if (curves.pieces()[static_cast<std::size_t>(piece)].coarsest < level) continue;
+    for (int piece = 0; piece < curves.piece_count(); ++piece) {
+        if (curves.piece(piece).coarsest < level) continue;
         const RenderedPiece level_0 = curves.rendered(piece, 0.0);
         const RenderedPiece coarse = curves.rendered(piece, level);
         for (int j = 0; j < coarse.segment_count(); ++j) {
@@ -135,8 +134,8 @@ bool is_any_told(const CurveSet& curves, int level) {
 
 LevelError level_error(const CurveSet& curves, int outline, int level) {
     ErrorSum sum;
-    for (int piece = 0; piece < static_cast<int>(curves.pieces().size()); ++piece) {
-        const Piece& of = curves.pieces()[static_cast<std::size_t>(piece)];
+    for (int piece = 0; piece < curves.piece_count(); ++piece) {
+        const Piece& of = curves.piece(piece);
         if (of.outline != outline) continue;
         for (int j = 0; j < curves.rendered_count(piece, level); ++j) {
             sum.add_stretch(curves, piece, level, j);

@@ -1,10 +1,11 @@
 #include "haptics/curve/pins.h"
 
-#include "haptics/curve/sampling.h"
-#include "haptics/curve/shrink.h"
+#include "haptics/curve/spacing.h"
+#include "haptics/curve/wavelet.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 #include <utility>
 
@@ -109,8 +110,7 @@ std::vector<std::size_t> corners(const Outline& outline, const PinRule& rule) {
     const std::vector<double> s = arc_lengths(outline);
     const double length = s.back();
     std::vector<Corner> candidates = sharp_turns(outline, s, rule);
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const Corner& a, const Corner& b) { return a.turn_rad > b.turn_rad; });
+    std::ranges::stable_sort(candidates, std::greater(), &Corner::turn_rad);
     std::set<double> taken;
     if (!outline.is_closed) taken = {0.0, length};
     const auto is_near = [&](double arc) {
@@ -152,7 +152,7 @@ std::vector<Place> line_ends(const std::vector<Outline>& outlines) {
         ends.push_back(place(outline.points.front()));
         ends.push_back(place(outline.points.back()));
     }
-    std::sort(ends.begin(), ends.end());
+    std::ranges::sort(ends);
     return ends;
 }
 
@@ -171,11 +171,11 @@ std::vector<std::vector<std::size_t>> find_pins(const std::vector<Outline>& outl
                                            ? corners(without_noise(outline, rule.noise_m), rule)
                                            : corners(outline, rule);
         for (std::size_t i = 0; i < outline.points.size() && !ends.empty(); ++i) {
-            if (std::binary_search(ends.begin(), ends.end(), place(outline.points[i]))) {
+            if (std::ranges::binary_search(ends, place(outline.points[i]))) {
                 own.push_back(i);
             }
         }
-        std::sort(own.begin(), own.end());
+        std::ranges::sort(own);
         own.erase(std::unique(own.begin(), own.end()), own.end());
         pins.push_back(std::move(own));
     }

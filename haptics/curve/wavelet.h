@@ -1,8 +1,9 @@
-// One level of the paper's interpolating biorthogonal wavelet transform ("pseudocoiflets", four
-// vanishing moments; paper section 2) in lifting form: predicts each odd point from its even
-// neighbours by the four-point Deslauriers-Dubuc rule (-1, 9, 9, -1)/16, and updates the evens with
-// half the adjoint of that rule. Analysis low-pass = P (3 - 2P), with P the Deslauriers-Dubuc
-// half-band filter: 13 taps. Threads: pure functions.
+// The paper's interpolating biorthogonal wavelet transform ("pseudocoiflets", four vanishing
+// moments; paper section 2) in lifting form: predicts each odd point from its even neighbours by
+// the four-point Deslauriers-Dubuc rule (-1, 9, 9, -1)/16, and updates the evens with half the
+// adjoint of that rule. Analysis low-pass = P (3 - 2P), with P the Deslauriers-Dubuc half-band
+// filter: 13 taps. Denoises and compresses a curve by its details (paper sections 2 and 5).
+// Threads: pure functions.
 #pragma once
 
 #include "config/types/vec2.h"
@@ -46,5 +47,41 @@ void analyze(std::span<const Position> points, const CurveShape& shape, std::spa
 
 /// Inverts analyze() up to rounding; `shape` is the finer level's. O(n).
 [[nodiscard]] std::vector<Position> synthesize(const WaveletLevel& level, const CurveShape& shape);
+
+/// A curve as its coarsest points and the details of every level; levels[k] leads from k + 1 to k.
+struct Decomposition {
+    std::vector<Position> coarsest;
+    std::vector<std::vector<Position>> details;
+    CurveShape shape;  // of level 0
+};
+
+[[nodiscard]] Decomposition decompose(std::vector<Position> points, const CurveShape& shape,
+                                      int levels);
+
+[[nodiscard]] std::vector<Position> reconstruct(const Decomposition& curve);
+
+/// Returns the standard deviation of the details of each level, finest first, if the points of
+/// level 0 carry white noise of standard deviation 1. The noise's covariance is taken through the
+/// filters, which is exact except for the few details next to an open end (up to an eighth more
+/// there). O(levels).
+[[nodiscard]] std::vector<double> noise_gains(std::size_t levels);
+
+/// Takes noise of standard deviation `noise_m` per coordinate out of the details of one level of a
+/// curve of `count` points if noise is at least half of their energy; otherwise leaves them. A
+/// detail d becomes (1 - t^2 / |d|^2) d, or 0 up to t: the garrote (Breiman 1995; Gao 1998) at the
+/// universal threshold t = noise sqrt(2 ln count), which noise alone passes about once in a level.
+/// O(n).
+void denoise_level(std::span<Position> details, double noise_m, std::size_t count);
+
+/// Takes white noise of standard deviation `sigma_m` per coordinate of level 0 out of every level.
+/// The ends of an open curve stay where they are. O(N).
+void denoise(Decomposition& curve, double sigma_m);
+
+/// Returns the detail size (metres, scaled by its level so that sizes compare in energy) above
+/// which the share `keep` of all the curves' details lies. 0 for keep >= 1.
+[[nodiscard]] double detail_threshold(std::span<const Decomposition> curves, double keep);
+
+/// Drops the details below the threshold of detail_threshold().
+void drop_details(Decomposition& curve, double threshold_m);
 
 }  // namespace touchline

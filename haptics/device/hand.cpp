@@ -17,9 +17,7 @@ Intention at_rest(const WaypointPath::Waypoint& waypoint) {
 }  // namespace
 
 Intention WaypointPath::at(double t_s) const {
-    const auto after =
-        std::upper_bound(waypoints_.begin(), waypoints_.end(), t_s,
-                         [](double t, const Waypoint& waypoint) { return t < waypoint.t_s; });
+    const auto after = std::ranges::upper_bound(waypoints_, t_s, {}, &Waypoint::t_s);
     if (after == waypoints_.begin()) return at_rest(waypoints_.front());
     if (after == waypoints_.end()) return at_rest(waypoints_.back());
     const Waypoint& from = *std::prev(after);

@@ -3,7 +3,8 @@
 // rests, then to a second stop and rests; if the arms then read what they must, force may come. A
 // unit that is homed for the first time is measured: from the second stop the hand also goes to the
 // left, which tells a linkage from its mirror image, and visits the two stops twice. If a unit of
-// another kind would read alike, a question answered with the handle tells them apart. No force
+// another kind would read alike, a question answered with the handle tells them apart, or the place
+// to the left if its links differ; if that tells nothing, the unit is refused. No force
 // acts meanwhile. The program supplies the words for each step.
 // Source: users' reports of Haply devices (wrong home poses, swapped plugs, encoders that turn the
 // other way, scales off by per cent and by a fifth). Threads: plain values, one thread.
@@ -11,15 +12,55 @@
 
 #include "config/types/calibration.h"
 #include "config/types/vec2.h"
-#include "haptics/device/known_units.h"
 #include "haptics/device/stillness.h"
+#include "haptics/pantograph/kinematics.h"
 #include "haptics/pantograph/profile.h"
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace touchline {
+
+/// Units of one kind, as far as two stops tell them from others. The reading between the stops is a
+/// turn times a count, so a stop in another place, another encoder or other links may read alike.
+struct KnownUnits {
+    double turn_rad = 0.0;  // both joints together, from stop to stop
+    double scale = 1.0;   // true turn over the turn that a board reports, driven as the chosen kind
+    bool are_own = true;  // of the chosen kind
+    bool are_straight = false;   // bent arms lie in one line at their stop
+    bool have_own_links = true;  // as long as those of the chosen kind
+    Geometry links;
+    JointAngles at_check;  // rad, where the chosen kind has its check stop
+};
+
+/// Returns the units of the chosen kind first, then those of all other kinds but those that differ
+/// neither in their links nor in their stops.
+[[nodiscard]] std::vector<KnownUnits> known_units(
+    const DeviceProfile& chosen, std::span<const DeviceProfile> kinds = device_profiles());
+
+[[nodiscard]] double turn_of_both_rad(JointAngles turn);
+
+/// Returns whether the turn read from stop to stop is at most 2.5 % off that of a unit of the
+/// chosen kind and nearer to it than to any other with the same links, leaving aside units that a
+/// question tells from it.
+[[nodiscard]] bool is_of_kind(const std::vector<KnownUnits>& known, JointAngles read);
+
+/// Whose links a unit has.
+enum class LinksOf : std::uint8_t { chosen_kind, other_kind, either };
+
+/// Tells a unit of other links that would read the same turn from stop to stop, and that no
+/// question tells from the chosen kind, by a place where no arms of its links, or of the kind's,
+/// could be. `turned` is the turn read from the check stop to that place.
+[[nodiscard]] LinksOf links_of(const std::vector<KnownUnits>& known, JointAngles read,
+                               JointAngles turned);
+
+/// Returns whether a unit whose arms lie differently at their stop would read the same.
+[[nodiscard]] bool needs_an_answer(const std::vector<KnownUnits>& known, JointAngles read);
+
+/// Returns whether the arms of the chosen kind lie in one line.
+[[nodiscard]] bool are_own_straight(const std::vector<KnownUnits>& known);
 
 /// The two places at which the arms are stopped, and how finely the encoders read there.
 struct HomingPlan {
@@ -30,7 +71,7 @@ struct HomingPlan {
     // true: the home stop is the one with the arms stretched, which is alike on all units; false:
     // the check stop is.
     bool is_home_stretched = false;
-    std::vector<KnownUnits> known;  // this kind, and others with the same links
+    std::vector<KnownUnits> known;  // this kind, and all others
 };
 
 /// Makes the plan from the profile, or for the unit whose `stop_off` is given (rad).
@@ -55,7 +96,8 @@ enum class HomingRemark : std::uint8_t {
     not_left,       // at rest, but neither to the left nor to the right of the stop
     starting_over,  // it did not fit three times
     no_such_scale,  // the same, since no unit of this kind turns so far: perhaps it is another kind
-    other_kind,     // the answer belongs to another kind
+    other_kind,     // the answer, or the place to the left, belongs to another kind
+    either_kind,    // a kind with other links reads the same everywhere: no force would be right
     lost_count,     // the encoders lost counts: the results so far are worth nothing
     reversed,       // the stops came in the wrong order, or the plugs differ: once more
     replugged,      // a known unit reads differently than it did: it is measured anew
@@ -111,6 +153,7 @@ class Homing {
     void rest_at_left(JointAngles read);
     void rest_at_home_again(JointAngles read);
     void rest_at_check_again(JointAngles read);
+    void judge_links(JointAngles turn);
     void rest_at_answer(JointAngles read);
     void measure();
     void advance(HomingStep step);
@@ -127,6 +170,7 @@ class Homing {
     Calibration calibration_;
     JointAngles read_at_home_;
     JointAngles read_at_check_;
+    JointAngles turned_left_;    // read, from the check stop
     Plugs encoders_;             // as they seem to be in this round
     double scale_ = 1.0;         // likewise
     std::optional<Plugs> seen_;  // difference from the profile in the round before

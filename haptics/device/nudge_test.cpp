@@ -10,10 +10,10 @@ constexpr double pulse_Nm = 0.03;
 constexpr double longest_pulse_s = 0.08;
 constexpr double enough_rad = 0.02;  // of motion: the pulse may end
 constexpr double enough_counts = 4.0;
-constexpr double motion_counts = 2.0;  // more than that is motion
-constexpr double rest_s = 0.05;        // of stillness before a pulse
-constexpr double patience_s = 2.0;     // to wait for that stillness
-constexpr double longest_silence_s = 0.02;
+constexpr double motion_counts = 2.0;    // more than that is motion
+constexpr double still_before_s = 0.05;  // of stillness before a pulse
+constexpr double rest_patience_s = 2.0;  // to wait for that stillness
+constexpr double silence_limit_s = 0.02;
 constexpr double fastest_rad_per_s = 15.0;  // about 1 m/s at the elbow
 
 double sign_of(int pulse) {
@@ -41,8 +41,8 @@ JointTorques NudgeTest::end(NudgeVerdict verdict) {
 JointTorques NudgeTest::step(const std::optional<JointAngles>& angles, double dt_s) {
     if (verdict_ != NudgeVerdict::running) return {};
     if (!angles || !is_finite(*angles) || !(dt_s > 0.0)) {
-        silent_s_ += std::isfinite(dt_s) ? dt_s : longest_silence_s;
-        return silent_s_ >= longest_silence_s ? end(NudgeVerdict::silent) : JointTorques{};
+        silent_s_ += std::isfinite(dt_s) ? dt_s : silence_limit_s;
+        return silent_s_ >= silence_limit_s ? end(NudgeVerdict::silent) : JointTorques{};
     }
     silent_s_ = 0.0;
     since_s_ += dt_s;
@@ -55,8 +55,8 @@ JointTorques NudgeTest::step(const std::optional<JointAngles>& angles, double dt
 
 JointTorques NudgeTest::rest(JointAngles angles, double dt_s) {
     stillness_.step(angles, dt_s);
-    if (stillness_.still_s() < rest_s)
-        return since_s_ < patience_s ? JointTorques{} : end(NudgeVerdict::restless);
+    if (stillness_.still_s() < still_before_s)
+        return since_s_ < rest_patience_s ? JointTorques{} : end(NudgeVerdict::restless);
     started_at_ = angles;
     since_s_ = 0.0;
     is_pulling_ = true;

@@ -19,7 +19,7 @@ constexpr double handle_step_rad = 0.01;         // more than two counts of any 
 constexpr double sampling_s = 0.001;  // how much later than asked a board may have looked
 constexpr int jumps_that_count = 3;
 constexpr int most_packets_a_tick = 16;
-constexpr double rest_s = 0.001;
+constexpr double pause_s = 0.001;
 constexpr int longest_end_ms = 20;
 constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
@@ -80,8 +80,8 @@ bool PantographBoard::end_in_zero() {
         clear_stall();
         if (holds_zero_) return true;
         if (is_send_free() && send(zero_command())) ++owed_;
-        link_->rest(rest_s);
-        sending_.age_s += rest_s;
+        link_->rest(pause_s);
+        sending_.age_s += pause_s;
     }
     return holds_zero_;
 }
@@ -335,8 +335,8 @@ void PantographBoard::step_resync(const Arrivals& arrivals, double elapsed_s) {
 void PantographBoard::run_resync() {
     last_s_ = 0.0;
     while (report_.state == BoardState::resyncing) {
-        link_->rest(rest_s);
-        (void)read_angles(*last_s_ + rest_s);
+        link_->rest(pause_s);
+        (void)read_angles(*last_s_ + pause_s);
     }
     last_s_.reset();
 }

@@ -1,12 +1,12 @@
 // A pantograph and a hand in software, on the clock that the servo passes in: the same calls give
 // the same bits. Models five-bar geometry, tip mass, viscous and Coulomb friction, encoder counts,
 // motor limits, transport delay, a scale error of one arm and, if the profile has one, a turning
-// handle.
+// handle. PantographPlant is the mechanics alone: joint torques in, motion of the tip out.
 #pragma once
 
+#include "config/types/vec2.h"
 #include "haptics/device/force_device.h"
 #include "haptics/device/hand.h"
-#include "haptics/device/pantograph_plant.h"
 #include "haptics/pantograph/profile.h"
 
 #include <array>
@@ -15,6 +15,134 @@
 #include <optional>
 
 namespace touchline {
+
+struct TipParameters {
+    double mass_kg = 0.05;          // > 0
+    double viscous_Ns_per_m = 0.1;  // >= 0
+    double coulomb_N = 0.05;        // >= 0, on the tip
+};
+
+/// A point mass.
+struct MassState {
+    Position position;
+    Velocity velocity;
+};
+
+/// A device's tip and the hand that holds it: the one integrator behind every simulation.
+///   m x'' = F + k_h (x_d - x) + b_h (x_d' - x') - b x' - Coulomb friction
+/// Semi-implicit: damping and friction are implicit, so neither can create energy, and friction
+/// holds exactly. Threads: a plain value. No allocation.
+class TipDynamics {
+  public:
+    /// Starts at rest at `start`, as does the hand.
+    TipDynamics(const TipParameters& tip, const HandModel& hand, Position start)
+        : tip_(tip), hand_(hand), tip_state_{start, {}}, hand_state_{start, {}} {}
+
+    /// Makes one integration step of h_s with the device's force and the hand's intention held.
+    void step(Force force, const Intention& intention, double h_s);
+
+    /// Stops the tip at `position`, a mechanical end stop.
+    void stop_at(Position position);
+
+    void set_velocity(Velocity velocity) { tip_state_.velocity = velocity; }
+
+    /// Another hand takes the tip where it is, or none does.
+    void grip(const HandModel& hand) {
+        hand_ = hand;
+        hand_state_ = tip_state_;
+    }
+
+    [[nodiscard]] const MassState& tip() const { return tip_state_; }
+
+    /// The state of the hand's own mass if it holds through the skin; else the tip's state.
+    [[nodiscard]] const MassState& hand() const { return hand_.skin ? hand_state_ : tip_state_; }
+
+  private:
+    TipParameters tip_;
+    HandModel hand_;
+    MassState tip_state_;
+    MassState hand_state_;
+};
+
+/// The same for a turning handle and the fingers that hold it:
+///   I phi'' = tau + k (phi_d - phi) + c (phi_d' - phi') - b phi' - Coulomb friction
+/// Threads: a plain value. No allocation.
+class HandleDynamics {
+  public:
+    /// Starts at rest at an angle. The fingers hold the handle at 10 mm from its axis.
+    HandleDynamics(const TurningHandle& handle, const HandModel& hand, double start_rad)
+        : handle_(handle), hand_(hand), angle_rad_(start_rad) {}
+
+    /// Makes one integration step of h_s with the motor's torque and the hand's intention held.
+    void step(double torque_Nm, const Intention& intention, double h_s);
+
+    /// Other fingers take the handle where it is, or none do.
+    void grip(const HandModel& hand) { hand_ = hand; }
+
+    [[nodiscard]] double angle_rad() const { return angle_rad_; }
+
+  private:
+    TurningHandle handle_;
+    HandModel hand_;
+    double angle_rad_ = 0.0;
+    double speed_rad_per_s_ = 0.0;
+};
+
+/// The mechanics of a pantograph and the hand that holds it. Boards, delays and counts, which lie
+/// between a program and the motors, are not modelled here. Threads: one at a time; another thread
+/// may lead the path if the path allows it. No allocation after construction.
+class PantographPlant {
+  public:
+    /// The tip starts at rest where the path starts, or at the centre of the drawing area if that
+    /// is out of reach. longest_step_s > 0 is the longest integration step.
+    PantographPlant(const DeviceProfile& profile, const HandModel& hand, double longest_step_s,
+                    std::shared_ptr<const IntendedPath> path);
+
+    /// Sets the motors' torques from now on.
+    void turn_motors(JointTorques torques, double handle_Nm = 0.0) {
+        torques_ = torques;
+        handle_Nm_ = handle_Nm;
+    }
+
+    /// Another hand takes the tip where it is, or none does.
+    void grip(const HandModel& hand) {
+        dynamics_.grip(hand);
+        if (handle_) handle_->grip(hand);
+    }
+
+    /// Runs through span_s in even steps. Does nothing if it is not above 0.
+    void advance(double span_s);
+
+    /// Lets time pass while nothing moves.
+    void skip_to(double t_s) { time_s_ = t_s; }
+
+    [[nodiscard]] double time_s() const { return time_s_; }
+
+    /// The true state of the tip in W.
+    [[nodiscard]] const MassState& tip() const { return dynamics_.tip(); }
+
+    /// The true angles; nothing if the tip was put out of reach.
+    [[nodiscard]] std::optional<JointAngles> angles() const;
+
+    [[nodiscard]] JointTorques torques() const { return torques_; }
+
+    /// A turning handle's state; nothing if it does not turn.
+    [[nodiscard]] const std::optional<HandleDynamics>& handle() const { return handle_; }
+
+    [[nodiscard]] double handle_torque_Nm() const { return handle_Nm_; }
+
+  private:
+    [[nodiscard]] Force force_W() const;
+
+    DeviceProfile profile_;
+    double longest_step_s_;
+    std::shared_ptr<const IntendedPath> path_;
+    TipDynamics dynamics_;
+    std::optional<HandleDynamics> handle_;
+    double time_s_ = 0.0;
+    JointTorques torques_;
+    double handle_Nm_ = 0.0;
+};
 
 struct SimulationOptions {
     HandModel hand = normal_hand;

@@ -1,5 +1,6 @@
 #include "haptics/device/usb_boards.h"
 
+#include "haptics/device/hapi.h"
 #include "haptics/device/usb_link.h"
 
 #include <algorithm>
@@ -8,13 +9,15 @@
 #include <cstddef>
 #include <cstring>
 #include <filesystem>
-#include <iomanip>
 #include <optional>
-#include <sstream>
+#include <string>
 #include <utility>
 
 #include <fcntl.h>
+#include <fmt/core.h>
 #include <libusb.h>
+#include <linux/usbdevice_fs.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace touchline {
@@ -29,17 +32,11 @@ struct Plugged {
 };
 
 std::string ids_of(const BoardId& id) {
-    std::ostringstream text;
-    text << std::hex << std::setfill('0') << std::setw(4) << id.vendor << ':' << std::setw(4)
-         << id.product;
-    return text.str();
+    return fmt::format("{:04x}:{:04x}", id.vendor, id.product);
 }
 
 std::string node_of(int bus, int device_number) {
-    std::ostringstream node;
-    node << "/dev/bus/usb/" << std::setfill('0') << std::setw(3) << bus << '/' << std::setw(3)
-         << device_number;
-    return node.str();
+    return fmt::format("/dev/bus/usb/{:03}/{:03}", bus, device_number);
 }
 
 // Describes the process that has the node open.
@@ -120,7 +117,7 @@ void look_at(FoundBoard& found, libusb_device* device) {
 std::optional<Plugged> recognise(libusb_device* device, std::span<const BoardId> known) {
     libusb_device_descriptor descriptor{};
     if (libusb_get_device_descriptor(device, &descriptor) != 0) return std::nullopt;
-    const auto id = std::find_if(known.begin(), known.end(), [&](const BoardId& candidate) {
+    const auto id = std::ranges::find_if(known, [&](const BoardId& candidate) {
         return candidate.vendor == descriptor.idVendor && candidate.product == descriptor.idProduct;
     });
     if (id == known.end()) return std::nullopt;
@@ -139,9 +136,7 @@ std::vector<Plugged> scan(libusb_context* context, std::span<const BoardId> know
     for (ssize_t i = 0; i < count; ++i)
         if (auto board = recognise(devices[i], known)) boards.push_back(std::move(*board));
     if (count >= 0) libusb_free_device_list(devices, 1);
-    std::sort(boards.begin(), boards.end(), [](const Plugged& a, const Plugged& b) {
-        return a.found.bus_path < b.found.bus_path;
-    });
+    std::ranges::sort(boards, {}, [](const Plugged& board) { return board.found.bus_path; });
     return boards;
 }
 
@@ -189,11 +184,9 @@ Result<const Plugged*> choose(const std::vector<Plugged>& boards, std::span<cons
                    all_of(boards));
 }
 
-}  // namespace
+constexpr unsigned longest_send_ms = 10;
 
-struct UsbBoards::Context {
-    std::shared_ptr<libusb_context> libusb;
-};
+}  // namespace
 
 Result<UsbBoards> UsbBoards::create() {
     libusb_context* context = nullptr;
@@ -201,33 +194,25 @@ Result<UsbBoards> UsbBoards::create() {
     if (error != 0)
         return failure(std::string("the USB cannot be reached: ") +
                        libusb_strerror(static_cast<libusb_error>(error)));
-    return UsbBoards(
-        std::make_shared<Context>(Context{std::shared_ptr<libusb_context>(context, libusb_exit)}));
+    return UsbBoards(std::shared_ptr<libusb_context>(context, libusb_exit));
 }
-
-UsbBoards::UsbBoards(std::shared_ptr<Context> context) : context_(std::move(context)) {}
-
-UsbBoards::UsbBoards(UsbBoards&&) noexcept = default;
-UsbBoards& UsbBoards::operator=(UsbBoards&&) noexcept = default;
-UsbBoards::~UsbBoards() = default;
 
 std::vector<FoundBoard> UsbBoards::list(std::span<const BoardId> known) const {
     std::vector<FoundBoard> all;
-    for (Plugged& board : scan(context_->libusb.get(), known))
-        all.push_back(std::move(board.found));
+    for (Plugged& board : scan(context_.get(), known)) all.push_back(std::move(board.found));
     return all;
 }
 
 Result<FoundBoard> UsbBoards::find(std::span<const BoardId> known, std::string_view serial) const {
-    const std::vector<Plugged> boards = scan(context_->libusb.get(), known);
+    const std::vector<Plugged> boards = scan(context_.get(), known);
     const auto chosen = choose(boards, known, serial);
     if (!chosen) return tl::unexpected(chosen.error());
     return (*chosen)->found;
 }
 
 Result<OpenedBoard> UsbBoards::open(const FoundBoard& board, const UsbLinkOptions& options) const {
-    const std::vector<Plugged> boards = scan(context_->libusb.get(), std::span(&board.id, 1));
-    const auto same = std::find_if(boards.begin(), boards.end(), [&](const Plugged& plugged) {
+    const std::vector<Plugged> boards = scan(context_.get(), std::span(&board.id, 1));
+    const auto same = std::ranges::find_if(boards, [&](const Plugged& plugged) {
         return plugged.found.bus_path == board.bus_path && plugged.found.serial == board.serial;
     });
     if (same == boards.end()) return failure(name_of(board) + " is no longer plugged in");
@@ -242,7 +227,7 @@ Result<OpenedBoard> UsbBoards::open(const FoundBoard& board, const UsbLinkOption
     const int node = ::open(node_of(bus, same->found.device_number).c_str(), O_RDWR | O_CLOEXEC);
     if (node < 0) return cannot(std::strerror(errno));
     libusb_device_handle* raw = nullptr;
-    int error = libusb_wrap_sys_device(context_->libusb.get(), node, &raw);
+    int error = libusb_wrap_sys_device(context_.get(), node, &raw);
     HandlePointer handle(raw, libusb_close);
     if (error == 0) {
         libusb_set_auto_detach_kernel_driver(raw, 1);
@@ -254,7 +239,7 @@ Result<OpenedBoard> UsbBoards::open(const FoundBoard& board, const UsbLinkOption
         ::close(node);
         return cannot(libusb_strerror(static_cast<libusb_error>(error)));
     }
-    return OpenedBoard{std::make_unique<UsbLink>(context_->libusb, handle.release(), node, *pipes,
+    return OpenedBoard{std::make_unique<UsbLink>(context_, handle.release(), node, *pipes,
                                                  options.send_time_out_ms),
                        {node, *pipes, board.bus_path}};
 }
@@ -277,6 +262,34 @@ std::string describe(const FoundBoard& board) {
         default:
             return name + " does not answer: unplug it and plug it in again";
     }
+}
+
+// Does not use libusb: it would get the transfers that a dead process began, with addresses of that
+// process's memory to write to. Giving the interface back ends them all, unread.
+bool write_zero(int descriptor, const SerialPipes& pipes, const DeviceProfile& profile) {
+    auto interface = static_cast<unsigned>(pipes.data_interface);
+    (void)ioctl(descriptor, USBDEVFS_RELEASEINTERFACE, &interface);
+    if (ioctl(descriptor, USBDEVFS_CLAIMINTERFACE, &interface) != 0) return false;
+    Command zero = write_command({}, profile.handle ? std::optional(0.0) : std::nullopt);
+    usbdevfs_bulktransfer transfer{pipes.out_endpoint, static_cast<unsigned>(zero.bytes().size()),
+                                   longest_send_ms, const_cast<std::uint8_t*>(zero.bytes().data())};
+    return ioctl(descriptor, USBDEVFS_BULK, &transfer) == static_cast<int>(zero.bytes().size());
+}
+
+Result<UsbPantograph> take_pantograph(const UsbBoards& usb, const BoardSettings& settings,
+                                      std::string_view serial, std::string_view profile_name,
+                                      const UsbLinkOptions& options) {
+    auto found = usb.find(settings.boards, serial);
+    if (!found) return tl::unexpected(found.error());
+    const UnitSettings* unit = find_unit(settings, found->serial);
+    const auto profile = find_profile(unit != nullptr ? unit->profile : profile_name);
+    if (!profile) return tl::unexpected(profile.error());
+    auto opened = usb.open(*found, options);
+    if (!opened) return tl::unexpected(opened.error());
+    const Calibration calibration = unit != nullptr ? unit->calibration : Calibration{};
+    return UsbPantograph{
+        std::move(*found), calibrated(*profile, calibration),
+        std::make_unique<PantographBoard>(std::move(opened->link), *profile, calibration)};
 }
 
 }  // namespace touchline

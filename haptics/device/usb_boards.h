@@ -1,20 +1,46 @@
-// Finds and opens boards on the USB, through libusb. A board is named by its serial number, never
-// by its place in a list.
+// Finds and opens boards on the USB, through libusb, and a pantograph behind one with what is known
+// of the unit; programs start here. A board is named by its serial number, never by its place in a
+// list. An opened board has a node: one process passes it to another, which can then turn the
+// motors off without looking for the board, opening it or asking who has it.
 #pragma once
 
 #include "config/settings/boards.h"
 #include "config/types/result.h"
 #include "haptics/device/board_link.h"
-#include "haptics/device/usb_node.h"
+#include "haptics/device/pantograph_board.h"
+#include "haptics/pantograph/profile.h"
 
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+struct libusb_context;
+
 namespace touchline {
+
+/// Addresses, as in the descriptors.
+struct SerialPipes {
+    int control_interface = 0;
+    int data_interface = 1;
+    std::uint8_t out_endpoint = 0;
+    std::uint8_t in_endpoint = 0;
+};
+
+struct UsbNode {
+    int descriptor = -1;  // owned and closed by somebody else
+    SerialPipes pipes;
+    std::string bus_path;  // as in FoundBoard
+};
+
+/// Ends all transfers under way, whoever began them, and sends zero torque. Returns true if all its
+/// bytes went. Nobody else may drive the board by then, or their next write undoes it. The board's
+/// answer is not read. Takes 20 ms at most, without a heap; 1 ms if all is well.
+[[nodiscard]] bool write_zero(int descriptor, const SerialPipes& pipes,
+                              const DeviceProfile& profile);
 
 /// available: it can be opened. busy: another program holds it. denied: this user may not open it.
 enum class BoardAccess : std::uint8_t { available, busy, denied, unknown };
@@ -48,12 +74,6 @@ class UsbBoards {
     /// Fails if the system has no USB.
     [[nodiscard]] static Result<UsbBoards> create();
 
-    UsbBoards(UsbBoards&&) noexcept;
-    UsbBoards& operator=(UsbBoards&&) noexcept;
-    UsbBoards(const UsbBoards&) = delete;
-    UsbBoards& operator=(const UsbBoards&) = delete;
-    ~UsbBoards();
-
     /// Returns every plugged board that the table knows, sorted by bus path. Running boards are
     /// opened for a moment to read the serial number and to see who may open them; nothing is sent
     /// to them.
@@ -71,11 +91,24 @@ class UsbBoards {
                                            const UsbLinkOptions& options = {}) const;
 
   private:
-    struct Context;
+    explicit UsbBoards(std::shared_ptr<libusb_context> context) : context_(std::move(context)) {}
 
-    explicit UsbBoards(std::shared_ptr<Context> context);
-
-    std::shared_ptr<Context> context_;
+    std::shared_ptr<libusb_context> context_;
 };
+
+struct UsbPantograph {
+    FoundBoard found;
+    DeviceProfile profile;  // with the unit's own torque limit
+    std::unique_ptr<PantographBoard> driver;
+};
+
+/// Takes the board with that serial number, or the only one if none is given. Profile and
+/// calibration are the unit's in `settings`, else `profile_name` and none. Nothing has been sent to
+/// the board yet: driver->open() does that, with the handle at home. Allocates and waits.
+[[nodiscard]] Result<UsbPantograph> take_pantograph(const UsbBoards& usb,
+                                                    const BoardSettings& settings,
+                                                    std::string_view serial,
+                                                    std::string_view profile_name,
+                                                    const UsbLinkOptions& options = {});
 
 }  // namespace touchline

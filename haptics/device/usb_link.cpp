@@ -48,6 +48,39 @@ LinkStatus status_of(int error) {
 
 }  // namespace
 
+StallClearer::StallClearer(libusb_device_handle* handle, std::array<std::uint8_t, 2> endpoints)
+    : handle_(handle), endpoints_(endpoints), thread_([this] { clear_when_asked(); }) {}
+
+StallClearer::~StallClearer() {
+    is_closing_ = true;
+    asked_.release();
+    thread_.join();
+}
+
+std::optional<int> StallClearer::step() {
+    if (work_ == Work::ended) {
+        work_ = Work::none;
+        return error_;
+    }
+    if (work_ == Work::none) {
+        work_ = Work::wanted;
+        asked_.release();
+    }
+    return std::nullopt;
+}
+
+void StallClearer::clear_when_asked() {
+    for (;;) {
+        asked_.acquire();
+        if (is_closing_) return;
+        int error = 0;  // the first error
+        for (const std::uint8_t endpoint : endpoints_)
+            if (error == 0) error = libusb_clear_halt(handle_, endpoint);
+        error_ = error;
+        work_ = Work::ended;
+    }
+}
+
 UsbLink::UsbLink(std::shared_ptr<libusb_context> context, libusb_device_handle* handle, int node,
                  const SerialPipes& pipes, unsigned send_time_out_ms)
     : context_(std::move(context)),
@@ -196,8 +229,7 @@ void UsbLink::handle_events(double longest_s) {
 }
 
 bool UsbLink::is_anything_under_way() const {
-    return is_sending_ || std::any_of(in_.begin(), in_.end(),
-                                      [](const InTransfer& in) { return in.is_under_way; });
+    return is_sending_ || std::ranges::any_of(in_, &InTransfer::is_under_way);
 }
 
 void UsbLink::cancel_all() {

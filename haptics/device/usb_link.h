@@ -1,20 +1,54 @@
 // An opened USB board as a BoardLink: asynchronous libusb transfers, one OUT and two IN under way.
-// A thread of its own clears halted endpoints. Only for usb_boards.cpp.
+// Only for usb_boards.cpp.
 #pragma once
 
 #include "haptics/device/board_link.h"
-#include "haptics/device/stall_clearer.h"
-#include "haptics/device/usb_node.h"
+#include "haptics/device/usb_boards.h"
 
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <semaphore>
+#include <thread>
 
 #include <libusb.h>
 
 namespace touchline {
+
+/// Clears halted endpoints on a thread of its own: libusb can only do so with a control transfer
+/// that it waits for, and a tick must not wait. Threads: step() one at a time, and it neither waits
+/// nor allocates. The destructor waits for a transfer that is under way; the system may take some
+/// seconds to give it up.
+class StallClearer {
+  public:
+    /// `handle` must outlive it.
+    StallClearer(libusb_device_handle* handle, std::array<std::uint8_t, 2> endpoints);
+    ~StallClearer();
+    StallClearer(const StallClearer&) = delete;
+    StallClearer(StallClearer&&) = delete;
+    StallClearer& operator=(const StallClearer&) = delete;
+    StallClearer& operator=(StallClearer&&) = delete;
+
+    /// Starts, or looks at the result: returns nothing while it is under way, then once how it
+    /// ended, a libusb_error or 0.
+    [[nodiscard]] std::optional<int> step();
+
+  private:
+    enum class Work : std::uint8_t { none, wanted, ended };
+
+    void clear_when_asked();
+
+    libusb_device_handle* handle_;
+    std::array<std::uint8_t, 2> endpoints_;
+    std::atomic<Work> work_{Work::none};
+    std::atomic<int> error_{0};  // from libusb, once the work has ended
+    std::atomic<bool> is_closing_{false};
+    std::binary_semaphore asked_{0};
+    std::thread thread_;
+};
 
 /// send(), sent() and receive() make system calls but never wait. libusb itself allocates a small
 /// block per transfer and takes its own locks, which nobody else holds.

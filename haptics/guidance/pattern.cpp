@@ -27,9 +27,7 @@ constexpr std::array rows{
 constexpr double ending_s = 0.02;
 
 const PatternRow* row_of(HandlePattern pattern) {
-    const auto* const found =
-        std::find_if(rows.begin(), rows.end(),
-                     [pattern](const PatternRow& row) { return row.pattern == pattern; });
+    const auto* const found = std::ranges::find(rows, pattern, &PatternRow::pattern);
     return found == rows.end() ? nullptr : found;
 }
 

@@ -52,9 +52,8 @@ std::optional<Pose> forward(const Geometry& geometry, JointAngles angles) {
 
     const Jacobian jacobian{along<TipPerTurn>(left_of(v), -alpha / area),
                             along<TipPerTurn>(left_of(u), beta / area)};
-    const bool is_sound =
-        is_finite(tip) && is_finite(jacobian.joint_1) && is_finite(jacobian.joint_2);
-    return is_sound ? std::optional(Pose{tip, jacobian}) : std::nullopt;
+    if (!is_finite(tip) || !is_finite(jacobian)) return std::nullopt;
+    return Pose{tip, jacobian};
 }
 
 std::optional<JointAngles> inverse(const Geometry& geometry, Position p_DH) {

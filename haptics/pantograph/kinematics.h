@@ -17,6 +17,8 @@ struct Geometry {
     double proximal_m = 0.0;  // l, motor axis to elbow, > 0
     double distal_m = 0.0;    // L, elbow to tip, > 0
     double base_m = 0.0;      // d, between the motor axes, >= 0
+
+    friend bool operator==(const Geometry&, const Geometry&) = default;
 };
 
 /// Motion of the tip for a turn of one joint (m/rad).
@@ -26,6 +28,10 @@ using TipPerTurn = Vec2<struct MetrePerRadian>;
 struct Jacobian {
     TipPerTurn joint_1, joint_2;
 };
+
+[[nodiscard]] inline bool is_finite(const Jacobian& j) {
+    return is_finite(j.joint_1) && is_finite(j.joint_2);
+}
 
 struct Pose {
     Position p_DH;

@@ -136,8 +136,7 @@ const DeviceProfile& default_profile() {
 }
 
 Result<DeviceProfile> find_profile(std::string_view name) {
-    const auto* const found = std::find_if(profiles.begin(), profiles.end(),
-                                           [&](const auto& p) { return p.name == name; });
+    const auto* const found = std::ranges::find(profiles, name, &DeviceProfile::name);
     if (found != profiles.end()) return *found;
     std::string names;
     for (const DeviceProfile& p : profiles)

@@ -47,7 +47,7 @@ ContactReport contact_of(const ProbeReport& report, const CurveSet& curves) {
     if (report.contact_count == 0) return contact;
     const ProbeContact& first = report.contacts[0];
     contact.piece = first.segment.piece;
-    contact.outline = curves.pieces()[static_cast<std::size_t>(contact.piece)].outline;
+    contact.outline = curves.piece(contact.piece).outline;
     contact.parameter =
         curves.outline_parameter(contact.piece, report.level, first.segment.index, first.parameter);
     contact.side = first.side;

@@ -8,6 +8,69 @@
 namespace touchline {
 namespace {
 
+constexpr int most_advances = 24;
+constexpr double never = std::numeric_limits<double>::infinity();
+constexpr double near_enough_m = 1e-10;  // to the kept distance: the motion ends there
+
+/// How the room beside an end goes on over a move: room + rate t - bend t^2 / 2.
+struct Falling {
+    double room, rate, bend;
+};
+
+/// The room of an edge's end beyond `reach` along a fixed direction.
+Falling falling(Position end, double reach, Direction n, Position origin, const ProbeMove& move) {
+    const Position arm = end - origin;
+    return {std::max(dot(n, end) - reach, 0.0), dot(n, move.by) + move.turn_rad * cross(arm, n),
+            move.turn_rad * move.turn_rad * norm(arm)};
+}
+
+/// Returns the first moment at which the room falls to 0; infinity if it never does.
+double exhausted(const Falling& f) {
+    if (f.room <= 0.0 && f.rate <= 0.0) return f.rate < 0.0 || f.bend > 0.0 ? 0.0 : never;
+    const double root = std::sqrt(f.rate * f.rate + 2.0 * f.bend * f.room);
+    if (f.rate < 0.0) return 2.0 * f.room / (root - f.rate);
+    return f.bend > 0.0 ? (root + f.rate) / f.bend : never;
+}
+
+/// Returns whether exhausted() is `share` or later: a falling parabola is above its ends in
+/// between.
+bool lasts(const Falling& f, double share) {
+    return f.room + share * (f.rate - 0.5 * f.bend * share) >= 0.0;
+}
+
+/// Returns whether free_beside_line() would find `share` or more. This settles most pairs, and
+/// without a root.
+bool is_free_beside_line(const Segment& edge, const Segment& line, Direction n, Position origin,
+                         const ProbeMove& move, double keep_m, double share) {
+    const double reach = std::max(dot(n, line.a), dot(n, line.b)) + keep_m;
+    return lasts(falling(edge.a, reach, n, origin, move), share) &&
+           lasts(falling(edge.b, reach, n, origin, move), share);
+}
+
+/// Goes until the ends of the edge are too near along a fixed direction.
+double free_beside_line(const Segment& edge, const Segment& line, Direction n, Position origin,
+                        const ProbeMove& move, double keep_m) {
+    const double reach = std::max(dot(n, line.a), dot(n, line.b)) + keep_m;
+    return std::min({never, exhausted(falling(edge.a, reach, n, origin, move)),
+                     exhausted(falling(edge.b, reach, n, origin, move))});
+}
+
+/// Goes until the ends of the line are too near along a direction that turns with the edge.
+double free_beside_edge(const Segment& edge, const Segment& line, Direction n, Position origin,
+                        const ProbeMove& move, double keep_m) {
+    const double reach = std::min(dot(n, edge.a), dot(n, edge.b)) - keep_m;
+    const double way_m = norm(move.by);
+    const double turn = std::abs(move.turn_rad);
+    double free = never;
+    for (const Position end : {line.a, line.b}) {
+        const Position arm = end - origin;
+        const double rate = dot(n, move.by) - move.turn_rad * dot(left_of(n), arm);
+        const double bend = turn * (turn * (norm(arm) + way_m) + 2.0 * way_m);
+        free = std::min(free, exhausted({std::max(reach - dot(n, end), 0.0), rate, bend}));
+    }
+    return free;
+}
+
 constexpr std::size_t most_pairs = 4096;
 constexpr std::size_t most_near = 512;
 constexpr std::size_t block = 32;
@@ -21,6 +84,27 @@ double half_size(const Capsule& capsule) {
 }
 
 }  // namespace
+
+double clear_share(const EdgeAndLine& pair, const ProbePose& from, const ProbePlacement& start,
+                   const ProbeMove& move, double keep_m, double most) {
+    Separation at = pair.at;
+    Segment edge = start(pair.edge);
+    double share = 0.0;
+    for (int i = 0; i < most_advances; ++i) {
+        if (!(at.distance_m > 0.0)) return share;
+        const Position origin = from.place() + share * move.by;
+        const Direction n = at.normal;
+        if (is_free_beside_line(edge, pair.line, n, origin, move, keep_m, most - share))
+            return most;
+        share += std::max(free_beside_line(edge, pair.line, n, origin, move, keep_m),
+                          free_beside_edge(edge, pair.line, n, origin, move, keep_m));
+        if (!(share < most)) return most;
+        edge = ProbePlacement(from + share * move)(pair.edge);
+        at = separation(edge, pair.line);
+        if (at.distance_m - keep_m <= near_enough_m) return share;
+    }
+    return share;
+}
 
 void ProbeFront::reserve() {
     due_m_.reserve(most_pairs);

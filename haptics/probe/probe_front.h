@@ -1,12 +1,13 @@
 // Keeps track, from step to step, of which edges of a shape are near which lines: pairs of a node
 // of the scene's tree and a node of the shape's, each with the way that the shape must move before
-// the pair can matter. Threads: one, the servo's. Allocates only in reset().
+// the pair can matter. Of a pair that is near, finds how far the turning edge may go before it
+// comes too near to the line, by conservative advancement along separating directions. Threads:
+// one, the servo's. Allocates only in reset().
 #pragma once
 
+#include "haptics/collision/collision_tree.h"
 #include "haptics/collision/scene.h"
-#include "haptics/collision/spender.h"
 #include "haptics/contact/rendered_outlines.h"
-#include "haptics/probe/clear_share.h"
 #include "haptics/probe/probe_shape.h"
 
 #include <cstdint>
@@ -14,6 +15,22 @@
 #include <vector>
 
 namespace touchline {
+
+/// An edge of the shape, in its frame, beside a line.
+struct EdgeAndLine {
+    Segment edge;
+    Segment line;
+    Separation at;  // where the motion starts
+};
+
+/// Returns the share of the move, at most `most`, over which the edge stays `keep_m` or more from
+/// the line; 0 if it starts nearer than that and comes nearer still. `start` is `from` placed. Up
+/// to that share the two stay apart at every moment: either along a fixed direction, where the
+/// edge's ends stay beyond the line, or along one that turns with the edge, where the line's ends
+/// do. Their approach is bounded by its rate at the start and their greatest acceleration.
+[[nodiscard]] double clear_share(const EdgeAndLine& pair, const ProbePose& from,
+                                 const ProbePlacement& start, const ProbeMove& move, double keep_m,
+                                 double most);
 
 /// An edge of the shape and a rendered segment that it can reach.
 struct NearPair {

@@ -1,12 +1,34 @@
 #include "haptics/probe/probe_proxy.h"
 
-#include "haptics/probe/probe_distances.h"
-
 #include <algorithm>
 #include <cmath>
 
 namespace touchline {
 namespace {
+
+// How near a shape comes to lines.
+
+/// A shape without radius stays this far from every line, so that rounding never changes a side.
+constexpr double probe_gap_m = 5e-8;
+
+/// How much nearer than that a touching edge may come while it turns: second order of a step.
+constexpr double probe_slack_m = 3e-8;
+
+/// How much nearer a line may be that the shape passes; otherwise every vertex of a straight line
+/// would stop it.
+constexpr double probe_graze_m = 5e-10;
+
+/// A line this much further than the kept distance still touches.
+constexpr double probe_touch_m = 1e-9;
+
+/// A line this much further than the kept distance already counts; otherwise two contacts would
+/// take turns.
+constexpr double probe_mind_m = 1e-7;
+
+/// Returns how near an edge at `distance_m` may come if it should stay `keep_m` off.
+double least_distance_m(double keep_m, double distance_m) {
+    return keep_m - (distance_m > keep_m + probe_mind_m ? probe_graze_m : probe_slack_m);
+}
 
 constexpr double least_lever_m = 5e-3;
 constexpr double rest_m = 1e-10;          // a shorter move counts as none
@@ -24,6 +46,15 @@ ContactState state_of(int contacts) {
 /// Returns twice the energy that a move leaves, divided by the stiffness.
 double left_of_move(const Coupled& wanted, const Coupled& move) {
     return square({wanted[0] - move[0], wanted[1] - move[1], wanted[2] - move[2]});
+}
+
+constexpr double largest_jump_N = 0.015;  // change of the force in a tick by a change of level
+constexpr int most_halvings = 4;
+
+/// Returns how far an edge is from a line along a direction, which is at most their distance.
+double room_along(Direction normal, const Segment& edge, const Segment& line) {
+    return std::min(dot(normal, edge.a), dot(normal, edge.b)) -
+           std::max(dot(normal, line.a), dot(normal, line.b));
 }
 
 }  // namespace
@@ -300,6 +331,87 @@ ProbeContact ProbeProxy::contact_at(const NearPair& pair) {
     contact.place = at.on_first;
     contact.normal = at.normal;
     return contact;
+}
+
+/// Changes the rendered level under the shape, as a motion of the lines.
+void ProbeProxy::change_level(double level, const ProbePose& handle, const Springs& springs,
+                              Spender& spender) {
+    const double from = front_.level();
+    double next =
+        std::clamp(within_octave(from, level), from - largest_octaves, from + largest_octaves);
+    for (int i = 0; i <= most_halvings; ++i) {
+        if (try_level(next, handle, springs, spender)) return;
+        next = 0.5 * (from + next);
+    }
+}
+
+/// Within an octave every point of a line moves straight. So two lines that lie apart along a
+/// direction before and after lie apart all the time.
+ProbeProxy::Room ProbeProxy::room_at(double level, const Springs& springs, Spender& spender) {
+    const double from = front_.level();
+    const int finer = static_cast<int>(std::floor(std::min(from, level)));
+    const CurveSet& curves = front_.outlines().scene().curves;
+    const double jump_m = largest_jump_N / springs.k_N_per_m;
+    const ProbePlacement placed(pose_);
+    Room room{true, true};
+    constraints_.clear();
+    wide_.look(placed, keep_m_, probe_touch_m, spender);
+    if (!std::isinf(wide_.unopened_m())) return {false, false};
+    for (const NearPair& pair : wide_.near()) {
+        if (pair.node.level != finer + 1) continue;  // a piece without that octave
+        const RenderedPiece before = curves.blend(pair.node.piece, finer, from - finer);
+        const RenderedPiece after = curves.blend(pair.node.piece, finer, level - finer);
+        const Segment edge = placed(pair.geometry.edge);
+        for (int j = 2 * pair.node.index; j <= 2 * pair.node.index + 1; ++j) {
+            if (j >= before.segment_count()) continue;
+            const Separation at = separation(edge, before.segment(j));
+            const double room_m = room_along(at.normal, edge, after.segment(j));
+            const bool touches = at.distance_m <= keep_m_ + probe_touch_m;
+            if (room_m < least_distance_m(keep_m_, at.distance_m)) room.is_free = false;
+            if (touches && std::abs(room_m - at.distance_m) > jump_m) room.is_possible = false;
+            if (!touches && !(room_m >= least_distance_m(keep_m_, at.distance_m) - jump_m)) {
+                room.is_possible = false;
+            }
+            if (room_m > keep_m_ + probe_touch_m) continue;
+            if (constraints_.size() == constraints_.capacity()) return {false, false};
+            const Touching touching(edge, before.segment(j), at, pose_.place(), springs.lever_m);
+            constraints_.push_back({touching.row(), room_m - keep_m_});
+        }
+    }
+    return room;
+}
+
+bool ProbeProxy::try_level(double level, const ProbePose& handle, const Springs& springs,
+                           Spender& spender) {
+    wide_.set_level(std::floor(std::min(front_.level(), level)) + 0.5);
+    Room room = room_at(level, springs, spender);
+    if (!room.is_possible) return false;
+    if (!room.is_free) {
+        // The shape goes first; the lines follow.
+        const LeastMove least = least_move(constraints_, {});
+        const ProbeMove move = move_of(least.move, springs);
+        const double reach_m = move.reach_m(shape_->r_max_m());
+        const ProbePose start = pose_;
+        const double work_J =
+            springs.energy_J(handle - (pose_ + move)) - springs.energy_J(handle - pose_);
+        if (!(springs.k_N_per_m * std::sqrt(square(least.move)) <= largest_jump_N)) return false;
+        if (!(work_J <= account_.balance_J())) return false;
+        front_.look(ProbePlacement(pose_), keep_m_, reach_m + probe_touch_m, spender);
+        if (clear_share_of(move) < 1.0) return false;
+        pose_ = start + move;
+        front_.spend(reach_m);
+        wide_.spend(reach_m);
+        room = room_at(level, springs, spender);
+        if (!room.is_free) {
+            pose_ = start;
+            front_.spend(reach_m);
+            return false;
+        }
+        if (path_ != nullptr) path_->push_back(pose_);
+        (void)account_.spend(work_J);
+    }
+    front_.set_level(level);
+    return true;
 }
 
 }  // namespace touchline

@@ -5,12 +5,8 @@
 
 #include "config/types/hand_state.h"
 #include "haptics/collision/collision_tree.h"
-#include "haptics/contact/energy_account.h"
 #include "haptics/contact/proxy_state.h"
-#include "haptics/contact/state_trail.h"
-#include "haptics/probe/least_move.h"
 #include "haptics/probe/probe_front.h"
-#include "haptics/probe/probe_pose.h"
 #include "haptics/probe/probe_shape.h"
 #include "haptics/probe/touching.h"
 

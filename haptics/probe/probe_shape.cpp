@@ -22,13 +22,12 @@ Capsule capsule_of_edges(std::span<const Segment> edges) {
         }
     }
     const Direction u = direction_of(furthest - first);
-    Shadow at{INFINITY, -INFINITY, INFINITY, -INFINITY};
+    Shadow at = no_shadow;
     for (const Segment& s : edges) {
         for (const Position p : {s.a, s.b}) {
             const double x = dot(u, p - first);
             const double y = cross(u, p - first);
-            at = {std::min(at.along_low, x), std::max(at.along_high, x), std::min(at.across_low, y),
-                  std::max(at.across_high, y)};
+            at.hold({x, x, y, y});
         }
     }
     return capsule_of({first, along<Position>(u, 1.0), at.along_low, at.along_high, at.across_low,

@@ -1,17 +1,160 @@
 // A rigid shape in the hand: straight edges as thin as the lines of a scene, rounded by a radius,
-// with a small tree over them. Threads: immutable once built; any thread may read.
+// with a small tree over them; where it is and how it moves; and how two straight stretches lie to
+// each other, the bound and the leaf test of a shape against the scene's tree. Threads: values and
+// pure functions; a shape is immutable once built, and any thread may read it.
 #pragma once
 
 #include "config/types/result.h"
 #include "config/types/tactile_map.h"
-#include "haptics/collision/capsule.h"
+#include "config/types/vec2.h"
+#include "haptics/collision/box.h"
 #include "haptics/curve/segment.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace touchline {
+
+/// Everything within `thickness_m` of the chord.
+struct Capsule {
+    Segment chord;
+    double thickness_m = 0.0;
+};
+
+/// Returns a capsule that holds the box; its chord runs along the longer side.
+[[nodiscard]] inline Capsule capsule_of(const Box& box) {
+    const double along_m = box.along_high - box.along_low;
+    const double across_m = box.across_high - box.across_low;
+    const double length = norm(box.axis);
+    const Position across = left_of(box.axis);
+    if (along_m >= across_m) {
+        const Position middle = box.origin + 0.5 * (box.across_low + box.across_high) * across;
+        return {{middle + box.along_low * box.axis, middle + box.along_high * box.axis},
+                0.5 * across_m * length};
+    }
+    const Position middle = box.origin + 0.5 * (box.along_low + box.along_high) * box.axis;
+    return {{middle + box.across_low * across, middle + box.across_high * across},
+            0.5 * along_m * length};
+}
+
+/// Returns the point at a share along a segment; beyond its ends, exactly the end.
+[[nodiscard]] inline Position point_at(const Segment& s, double share) {
+    if (share >= 1.0) return s.b;
+    return s.a + std::max(share, 0.0) * (s.b - s.a);
+}
+
+/// The nearest points of two segments.
+struct Separation {
+    double distance_m = 0.0;
+    Direction normal;   // from the second to the first; {0, 0} where they meet
+    Position on_first;  // the points nearest to each other
+    Position on_second;
+};
+
+/// About 40 operations and a root. Of segments that do not cross, one end is always among the
+/// nearest points.
+[[nodiscard]] inline Separation separation(const Segment& first, const Segment& second) {
+    const Position e = first.b - first.a;
+    const Position f = second.b - second.a;
+    const Position w = second.a - first.a;
+    const double ee = dot(e, e);
+    const double ff = dot(f, f);
+    const double ew = dot(e, w);
+    const double fw = dot(f, w);
+    const double ef = dot(e, f);
+    const double per_ee = ee > 0.0 ? 1.0 / ee : 0.0;
+    const double per_ff = ff > 0.0 ? 1.0 / ff : 0.0;
+    Separation best;
+    double least = INFINITY;
+    const auto offer = [&](Position p, Position q) {
+        const Position by = p - q;
+        const double square = dot(by, by);
+        if (square < least) {
+            least = square;
+            best.on_first = p;
+            best.on_second = q;
+        }
+    };
+    offer(first.a, point_at(second, -fw * per_ff));
+    offer(first.b, point_at(second, (ef - fw) * per_ff));
+    offer(point_at(first, ew * per_ee), second.a);
+    offer(point_at(first, (ew + ef) * per_ee), second.b);
+    const double turn = cross(e, f);
+    const double s = cross(w, f);  // of the lines' common point, times `turn`
+    const double t = cross(w, e);
+    const double size = turn * turn;
+    const bool do_cross =
+        turn != 0.0 && s * turn >= 0.0 && s * turn <= size && t * turn >= 0.0 && t * turn <= size;
+    if (do_cross) return {0.0, {0.0, 0.0}, best.on_first, best.on_first};
+    best.distance_m = std::sqrt(least);
+    const double per_distance = best.distance_m > 0.0 ? 1.0 / best.distance_m : 0.0;
+    best.normal = along<Direction>(best.on_first - best.on_second, per_distance);
+    return best;
+}
+
+/// The place of a shape's origin in W, and its turn, counter-clockwise; full turns count.
+struct ProbePose {
+    double x_m = 0.0;
+    double y_m = 0.0;
+    double angle_rad = 0.0;
+
+    [[nodiscard]] Position place() const { return {x_m, y_m}; }
+
+    friend bool operator==(const ProbePose&, const ProbePose&) = default;
+};
+
+[[nodiscard]] inline bool is_finite(const ProbePose& pose) {
+    return std::isfinite(pose.x_m) && std::isfinite(pose.y_m) && std::isfinite(pose.angle_rad);
+}
+
+/// A straight move that turns at a steady rate on the way.
+struct ProbeMove {
+    Position by;
+    double turn_rad = 0.0;
+
+    /// No point within `r_max_m` of the origin moves further than this.
+    [[nodiscard]] double reach_m(double r_max_m) const {
+        return norm(by) + std::abs(turn_rad) * r_max_m;
+    }
+};
+
+[[nodiscard]] inline ProbeMove operator*(double share, const ProbeMove& move) {
+    return {share * move.by, share * move.turn_rad};
+}
+
+[[nodiscard]] inline ProbePose operator+(const ProbePose& pose, const ProbeMove& move) {
+    return {pose.x_m + move.by.x, pose.y_m + move.by.y, pose.angle_rad + move.turn_rad};
+}
+
+/// The move from `from` to `to`.
+[[nodiscard]] inline ProbeMove operator-(const ProbePose& to, const ProbePose& from) {
+    return {to.place() - from.place(), to.angle_rad - from.angle_rad};
+}
+
+/// A pose with its sine and cosine worked out.
+class ProbePlacement {
+  public:
+    explicit ProbePlacement(const ProbePose& pose)
+        : origin_(pose.place()), cos_(std::cos(pose.angle_rad)), sin_(std::sin(pose.angle_rad)) {}
+
+    /// Maps a point from the shape's frame to W.
+    [[nodiscard]] Position operator()(Position p) const {
+        return {origin_.x + (cos_ * p.x - sin_ * p.y), origin_.y + (sin_ * p.x + cos_ * p.y)};
+    }
+
+    [[nodiscard]] Segment operator()(const Segment& s) const {
+        return {(*this)(s.a), (*this)(s.b)};
+    }
+
+    [[nodiscard]] Position origin() const { return origin_; }
+
+  private:
+    Position origin_;
+    double cos_, sin_;
+};
 
 inline constexpr std::size_t most_probe_edges = 4096;
 inline constexpr double largest_probe_m = 0.1;  // of a point from the origin

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "haptics/contact/contact_machine.h"
-#include "haptics/resolution/peak_hold.h"
+#include "haptics/resolution/level_rule.h"
 
 namespace touchline {
 

@@ -1,18 +1,60 @@
-// Makes the level of resolution follow the hand's speed: coarse while the hand is fast, fine while
-// it is slow. A detail of wavelength lambda crossed at speed v is a force of frequency v / lambda;
-// the rule leaves out what is faster than the servo, the device and the hand can follow (paper,
-// sections 1 and 5). Other terms bound the level: device, proxy, time, perception, topology and the
-// operator.
-// Threads: one, the servo's. No allocation.
+// Makes the level of resolution follow the hand's speed, or that of the fastest point of a shape in
+// it: coarse while the hand is fast, fine while it is slow. A detail of wavelength lambda crossed
+// at speed v is a force of frequency v / lambda; the rule leaves out what is faster than the servo,
+// the device and the hand can follow (paper, sections 1 and 5). Other terms bound the level:
+// device, proxy, time, perception, topology and the operator. Threads: one, the servo's. No
+// allocation, no clock.
 #pragma once
 
 #include "config/types/level_terms.h"
 #include "config/types/vec2.h"
-#include "haptics/resolution/peak_hold.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace touchline {
+
+/// Holds the peaks of ten slots and of the running one: the window is ten to eleven slots long,
+/// whatever the distance between values.
+class PeakHold {
+  public:
+    static constexpr std::size_t slots = 10;
+
+    /// slot > 0, in the unit of `advance` below.
+    explicit PeakHold(double slot) : slot_(slot) {}
+
+    /// Adds a value >= 0 that came `advance` > 0 after the one before. Returns the largest in the
+    /// window; NaN is ignored.
+    double step(double value, double advance) {
+        age_ += advance;
+        if (age_ >= slot_) begin_slots();
+        peaks_[newest_] = std::max(peaks_[newest_], value);
+        return std::max(older_, peaks_[newest_]);
+    }
+
+    /// Whether a copy made from bytes may be stepped.
+    [[nodiscard]] bool is_sound() const { return newest_ < peaks_.size() && slot_ > 0.0; }
+
+  private:
+    /// A long advance may outlast several slots; each is emptied as it begins.
+    void begin_slots() {
+        for (std::size_t i = 0; age_ >= slot_ && i <= slots; ++i) {
+            age_ -= slot_;
+            newest_ = (newest_ + 1) % peaks_.size();
+            peaks_[newest_] = 0.0;
+        }
+        age_ = std::min(age_, slot_);
+        older_ = *std::max_element(peaks_.begin(), peaks_.end());
+    }
+
+    double slot_;
+    double age_ = 0.0;                       // of the running slot
+    std::array<double, slots + 1> peaks_{};  // of the running slot and the ten before it
+    std::size_t newest_ = 0;
+    double older_ = 0.0;  // largest of the ten
+};
 
 /// The inputs of all terms except speed.
 struct LevelLimits {
@@ -113,6 +155,49 @@ class LevelRule {
     SpeedMeasure measure_;
     double speed2_m2_per_s2_ = 0.0;
     double since_change_s_ = 1.0;
+};
+
+/// The speed of a shape's fastest point as the rule sees it: at most |v| + |w| r, both after a 10
+/// Hz low-pass, and the largest of the last half second.
+class ShapeSpeed {
+  public:
+    /// `r_max_m` >= 0 is the largest distance of the shape's points from the point that the hand
+    /// holds.
+    explicit ShapeSpeed(double r_max_m) : r_max_m_(r_max_m) {}
+
+    /// Takes the handle's position and angle after dt_s > 0. Returns the square of the held speed
+    /// in m^2/s^2.
+    double step(Position handle, double angle_rad, double dt_s);
+
+  private:
+    double r_max_m_;
+    Position last_;
+    double last_angle_rad_ = 0.0;
+    bool has_last_ = false;
+    Velocity low_pass_;
+    double low_pass_rad_per_s_ = 0.0;
+    PeakHold peak_{0.05};  // seconds a slot; squared speeds
+};
+
+/// LevelRule at that speed.
+class ShapeLevelRule {
+  public:
+    ShapeLevelRule(const LevelLimits& limits, double r_max_m) : rule_(limits), speed_(r_max_m) {}
+
+    /// Advances one servo tick; dt_s > 0. Returns the wanted level. A pose that is not finite
+    /// changes nothing.
+    double step(Position handle, double angle_rad, double dt_s) {
+        if (!is_finite(handle) || !std::isfinite(angle_rad) || !(dt_s > 0.0)) return rule_.level();
+        return rule_.step_at(speed_.step(handle, angle_rad, dt_s), dt_s);
+    }
+
+    void set_limits(const LevelLimits& limits) { rule_.set_limits(limits); }
+
+    [[nodiscard]] double speed_m_per_s() const { return rule_.speed_m_per_s(); }
+
+  private:
+    LevelRule rule_;
+    ShapeSpeed speed_;
 };
 
 }  // namespace touchline

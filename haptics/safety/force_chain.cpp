@@ -19,15 +19,11 @@ Force clamped(Force force, double limit_N) {
     return magnitude <= limit_N ? force : limit_N / magnitude * force;
 }
 
-bool is_finite(const Jacobian& j) {
-    return touchline::is_finite(j.joint_1) && touchline::is_finite(j.joint_2);
-}
-
 bool is_sound(const ChainInput& input, double dt_s) {
-    return touchline::is_finite(input.wanted_D) && touchline::is_finite(input.p_D) &&
-           touchline::is_finite(input.velocity_D) && std::isfinite(input.wanted_turn_Nm) &&
-           std::isfinite(input.handle_rad) && std::isfinite(input.turn_rad_per_s) &&
-           std::isfinite(dt_s) && dt_s > 0.0 && (!input.jacobian || is_finite(*input.jacobian));
+    return is_finite(input.wanted_D) && is_finite(input.p_D) && is_finite(input.velocity_D) &&
+           std::isfinite(input.wanted_turn_Nm) && std::isfinite(input.handle_rad) &&
+           std::isfinite(input.turn_rad_per_s) && std::isfinite(dt_s) && dt_s > 0.0 &&
+           (!input.jacobian || is_finite(*input.jacobian));
 }
 
 // Returns 1 if the pose is good, 0 if it is singular or nearly so.
@@ -85,8 +81,7 @@ SafeForce ForceChain::step(const ChainInput& input, double dt_s) {
                             found};
     safety_ = next(safety_, flags, limits_.times, dt_s);
     SafeForce told = limited(input, dt_s);
-    if (!touchline::is_finite(told.force_D) || !touchline::is_finite(told.torques) ||
-        !std::isfinite(told.handle_Nm)) {
+    if (!is_finite(told.force_D) || !is_finite(told.torques) || !std::isfinite(told.handle_Nm)) {
         safety_ = {ForceState::fault, Fault::not_finite, 0.0, 0.0, 0.0};
         told = none(Limit::fault);
     }

@@ -10,12 +10,9 @@
 #include "config/types/vec2.h"
 #include "haptics/pantograph/kinematics.h"
 #include "haptics/pantograph/profile.h"
-#include "haptics/safety/energy_guard.h"
+#include "haptics/safety/guards.h"
 #include "haptics/safety/hand_presence.h"
-#include "haptics/safety/handle_limit.h"
-#include "haptics/safety/motor_heat.h"
 #include "haptics/safety/safety_state.h"
-#include "haptics/safety/speed_limit.h"
 
 #include <array>
 #include <cstdint>

@@ -22,7 +22,8 @@ constexpr std::array remarks{
     HomingRemark::none,       HomingRemark::silent,        HomingRemark::not_moved,
     HomingRemark::misfit,     HomingRemark::starting_over, HomingRemark::reversed,
     HomingRemark::lost_count, HomingRemark::replugged,     HomingRemark::not_left,
-    HomingRemark::measured,   HomingRemark::no_such_scale, HomingRemark::other_kind};
+    HomingRemark::measured,   HomingRemark::no_such_scale, HomingRemark::other_kind,
+    HomingRemark::either_kind};
 
 /// Returns everything that is said about any kind of device.
 std::set<std::string> all_words() {

@@ -67,11 +67,11 @@ TEST(Status, SaysTheLastEventInWords) {
     event.kind = ContactEventKind::line_crossed;
     EXPECT_EQ(last_words(event), "crossed a line");
     std::set<std::string> words;
-    for (int kind = 0; kind <= static_cast<int>(ContactEventKind::popped_through); ++kind) {
+    for (std::size_t kind = 0; kind < contact_event_count; ++kind) {
         event.kind = static_cast<ContactEventKind>(kind);
         words.insert(last_words(event));
     }
-    EXPECT_EQ(words.size(), 10U);
+    EXPECT_EQ(words.size(), contact_event_count);
     EXPECT_FALSE(words.contains(""));
 }
 
@@ -210,7 +210,7 @@ TEST(Status, IsAllInTheOperatorsLanguage) {
         LiveFacts facts;
         facts.hand_words = "mouse, no device";
         facts.place = {2, 7, 1, 4};
-        for (int kind = 0; kind <= static_cast<int>(ContactEventKind::popped_through); ++kind) {
+        for (std::size_t kind = 0; kind < contact_event_count; ++kind) {
             facts.last = ContactEvent{};
             facts.last->kind = static_cast<ContactEventKind>(kind);
             expect_translated(facts, {}, {}, language);

@@ -28,8 +28,7 @@ TEST(CueTable, HasTwelveSoundsInTheirOrderOfAQuarterSecondAtMost) {
 }
 
 TEST(CueTable, EveryEventHasARowInItsOrder) {
-    EXPECT_EQ(contact_rows().size(),
-              static_cast<std::size_t>(ContactEventKind::popped_through) + 1);
+    EXPECT_EQ(contact_rows().size(), contact_event_count);
     EXPECT_EQ(screen_rows().size(), screen_event_count);
     for (const EventRow& row : screen_rows()) EXPECT_TRUE(row.cue) << row.event;
     EXPECT_EQ(contact_rows()[static_cast<std::size_t>(ContactEventKind::end_reached)].cue,

@@ -260,7 +260,7 @@ TEST(Catalogue, HasAllThatKeysPanelAndFaultsSay) {
     }
     for (int i = 0; i < 4; ++i) expect("mode", words_of(static_cast<Mode>(i)));
     for (int i = 0; i < 3; ++i) expect("contact", words_of(static_cast<ContactState>(i)));
-    for (int i = 0; i <= static_cast<int>(ContactEventKind::popped_through); ++i) {
+    for (std::size_t i = 0; i < contact_event_count; ++i) {
         expect("event", words_of(static_cast<ContactEventKind>(i)));
     }
     for (const StiffnessStep& step : stiffness_steps) expect("stiffness", step.name);

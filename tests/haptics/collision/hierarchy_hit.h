@@ -2,8 +2,8 @@
 // CollisionTree::first_hit() does for long ones, and counts what it looks at. Threads: a value.
 #pragma once
 
+#include "haptics/collision/box.h"
 #include "haptics/collision/scene.h"
-#include "haptics/collision/sift.h"
 #include "haptics/collision/touch.h"
 #include "haptics/collision/tree_walk.h"
 

@@ -1,7 +1,5 @@
 // What a line does by its distance, and the bead on it that the hand is tied to, each on its own.
-#include "haptics/contact/attachment.h"
-
-#include "haptics/contact/capture_law.h"
+#include "haptics/contact/groove.h"
 #include "tests/haptics/contact/hold_rig.h"
 #include "tests/haptics/scenes.h"
 

@@ -1,7 +1,6 @@
 // What a moving wall may do to the hand, and how a gap in the force closes.
-#include "haptics/contact/energy_account.h"
-
-#include "haptics/contact/gap_fade.h"
+#include "haptics/contact/contact_machine.h"
+#include "haptics/contact/proxy_state.h"
 #include "tests/haptics/tick.h"
 
 #include <cmath>

@@ -84,6 +84,17 @@ TactileMap one_line() {
     return map_of({outline({{-0.03, 0.0}, {0.03, 0.0}}, false)});
 }
 
+TEST(TickEvents, HoldsOneOfEveryKind) {
+    TickEvents events;
+    for (std::size_t kind = 0; kind < contact_event_count; ++kind) {
+        ContactEvent event;
+        event.kind = static_cast<ContactEventKind>(kind);
+        events.add(event);
+    }
+    ASSERT_EQ(events.all().size(), contact_event_count);
+    EXPECT_EQ(events.all().back().kind, popped_through);
+}
+
 TEST(EventDetector, TellsOfContactInEveryMode) {
     for (const Mode mode : all_modes) {
         Told told(one_line(), mode, {0.0, 0.01});

@@ -1,4 +1,4 @@
-#include "haptics/contact/round_vertex.h"
+#include "haptics/contact/vertex.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "haptics/contact/state_trail.h"
+#include "haptics/contact/proxy_state.h"
 
 #include <string>
 

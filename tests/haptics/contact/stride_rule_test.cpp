@@ -1,5 +1,5 @@
 // Compares the vertices that a stride passes with the same rule in lengths and directions.
-#include "haptics/contact/stride.h"
+#include "haptics/contact/contact_step.h"
 #include "tests/haptics/scenes.h"
 
 #include <algorithm>

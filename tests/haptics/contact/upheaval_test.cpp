@@ -1,7 +1,7 @@
 // Everything that may change under a hand changes, at random and at once: level, stiffness, mode.
 // The hand hardly feels what it does not do itself.
 #include "haptics/contact/contact_machine.h"
-#include "haptics/safety/stiffness_ramp.h"
+#include "haptics/safety/stability_monitor.h"
 #include "tests/haptics/scenes.h"
 #include "tests/haptics/tick.h"
 

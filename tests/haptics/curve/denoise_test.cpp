@@ -1,7 +1,7 @@
 #include "haptics/curve/curve_set.h"
 #include "haptics/curve/pins.h"
-#include "haptics/curve/sampling.h"
-#include "haptics/curve/shrink.h"
+#include "haptics/curve/spacing.h"
+#include "haptics/curve/wavelet.h"
 #include "tests/haptics/scenes.h"
 
 #include <algorithm>

@@ -2,7 +2,6 @@
 
 #include "app/decode/map_svg.h"
 #include "app/gallery/gallery.h"
-#include "haptics/curve/sampling.h"
 #include "tests/haptics/curve/uniform_points.h"
 #include "tests/haptics/scenes.h"
 

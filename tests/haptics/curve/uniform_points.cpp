@@ -1,7 +1,6 @@
 #include "tests/haptics/curve/uniform_points.h"
 
 #include "haptics/curve/pins.h"
-#include "haptics/curve/sampling.h"
 #include "haptics/curve/segment.h"
 #include "haptics/curve/spacing.h"
 

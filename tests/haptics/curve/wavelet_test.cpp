@@ -1,7 +1,5 @@
 #include "haptics/curve/wavelet.h"
 
-#include "haptics/curve/shrink.h"
-
 #include <cmath>
 #include <numbers>
 #include <random>

@@ -5,6 +5,7 @@
 #include "haptics/pantograph/profile.h"
 #include "tests/haptics/tick.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -372,6 +373,103 @@ TEST(Homing, ASilentBoardOrNoNumberIsNoRest) {
         for (int k = 0; k < 20000; ++k) view = homing.step(read, tick_s);
         EXPECT_EQ(view.step, HomingStep::to_home);
         EXPECT_EQ(view.remark, HomingRemark::silent);
+    }
+}
+
+/// A kind of other links whose encoders count so much that it reads the same from stop to stop as a
+/// gen 3.1; bent and stretched alike on both sides of 90 degrees.
+DeviceProfile reads_like_gen31(const Geometry& links, double bent_deg, double stretched_deg) {
+    DeviceProfile kind = default_profile();
+    kind.name = "other-links";
+    kind.geometry = links;
+    kind.home = {bent_deg * degree, (180.0 - bent_deg) * degree};
+    kind.check.angles = {stretched_deg * degree, (180.0 - stretched_deg) * degree};
+    const double share =
+        turn_of_both_rad(extended - retracted) / turn_of_both_rad(kind.check.angles - kind.home);
+    kind.counts_per_turn = share * kind.counts_per_turn;
+    kind.other_counts_per_turn = 0.0;
+    return kind;
+}
+
+const Geometry shorter_links{0.060, 0.085, 0.038};  // can be wherever a gen 3.1 can
+const Geometry wider_links{0.060, 0.118, 0.060};    // too wide to go as far to the left
+
+/// Everything up to where a unit is measured, or the question about its arms.
+HomingView lead_to_the_end(Homing& homing, const Unit& unit, const DeviceProfile& kind,
+                           double aside_deg) {
+    const JointAngles left =
+        kind.check.angles - JointAngles{aside_deg * degree, aside_deg * degree};
+    return lead(homing, unit,
+                {{kind.home, 4.5},
+                 {kind.check.angles, 4.5},
+                 {left, 4.5},
+                 {kind.home, 4.5},
+                 {kind.check.angles, 4.5}});
+}
+
+TEST(Homing, AKindOfOtherLinksThatReadsTheSameEverywhereIsRefused) {
+    const DeviceProfile other = reads_like_gen31(shorter_links, 155.0, 97.0);
+    const std::vector<DeviceProfile> kinds{default_profile(), other};
+    HomingPlan plan = gen31;
+    plan.known = known_units(default_profile(), kinds);
+    // Whichever of the two it is.
+    const double other_scale = default_profile().counts_per_turn.x / other.counts_per_turn.x;
+    for (const bool is_other : {false, true}) {
+        Homing homing(plan, {});
+        const DeviceProfile& kind = is_other ? other : default_profile();
+        const Unit unit{is_other ? other_scale : 1.0, kind.home, {}};
+        const HomingView view = lead_to_the_end(homing, unit, kind, 15.0);
+        EXPECT_EQ(view.step, HomingStep::to_home);
+        EXPECT_EQ(view.remark, HomingRemark::either_kind);
+        EXPECT_FALSE(homing.calibration().is_measured);
+    }
+}
+
+TEST(Homing, APlaceWhereArmsOfOneKindCannotBeTellsTheOther) {
+    const DeviceProfile wide = reads_like_gen31(wider_links, 150.0, 85.0);
+    ASSERT_TRUE(forward(wide.geometry, wide.home) && forward(wide.geometry, wide.check.angles));
+    const std::vector<DeviceProfile> kinds{default_profile(), wide};
+    HomingPlan plan = gen31;
+    plan.known = known_units(default_profile(), kinds);
+    Homing homing(plan, {});
+    EXPECT_EQ(lead_to_the_end(homing, {}, default_profile(), 30.0).remark, HomingRemark::measured);
+    // Chosen as the wide kind, the same unit is refused at the same place.
+    HomingPlan wide_plan = homing_plan(wide);
+    wide_plan.known = known_units(wide, kinds);
+    Homing chosen_wrong(wide_plan, {});
+    HomingView view;
+    const double told = default_profile().counts_per_turn.x / wide.counts_per_turn.x;
+    const auto read = [&](JointAngles angles) { return wide.home + told * (angles - retracted); };
+    JointAngles at = retracted + 0.1 * (extended - retracted);
+    for (const JointAngles stay : {retracted, extended, aside, retracted, extended}) {
+        while (norm(stay - at) > tick_s) {
+            at += tick_s / norm(stay - at) * (stay - at);
+            view = chosen_wrong.step(read(at), tick_s);
+        }
+        for (double s = 0.0; s < 4.5; s += tick_s) view = chosen_wrong.step(read(at), tick_s);
+    }
+    EXPECT_EQ(view.remark, HomingRemark::other_kind);
+    EXPECT_FALSE(chosen_wrong.calibration().is_measured);
+}
+
+/// So among the kinds that ship, only the stops are ever compared.
+TEST(KnownUnits, NoTwoShippedKindsOfDifferentLinksReadTheSame) {
+    for (const DeviceProfile& chosen : device_profiles()) {
+        const std::vector<KnownUnits> known = known_units(chosen);
+        const auto is_other = [](const KnownUnits& units) { return !units.have_own_links; };
+        EXPECT_GE(std::count_if(known.begin(), known.end(), is_other), 3) << chosen.name;
+        for (const KnownUnits& own : known) {
+            if (!own.are_own) continue;
+            for (const KnownUnits& other : known) {
+                const double read = (own.turn_rad / own.scale) / (other.turn_rad / other.scale);
+                if (!is_other(other)) continue;
+                EXPECT_GT(std::abs(read - 1.0), 0.05) << chosen.name;
+            }
+            // At any place, every reading of the chosen kind is taken for it.
+            const JointAngles read{own.turn_rad / own.scale, 0.0};
+            for (const double turned : {-2.0, 0.0, 2.0})
+                EXPECT_EQ(links_of(known, read, {turned, turned}), LinksOf::chosen_kind);
+        }
     }
 }
 

@@ -1,4 +1,4 @@
-#include "haptics/device/tip_dynamics.h"
+#include "haptics/device/simulated_pantograph.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "haptics/guidance/frame.h"
+#include "haptics/guidance/guidance.h"
 
 #include <gtest/gtest.h>
 

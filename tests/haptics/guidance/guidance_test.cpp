@@ -1,6 +1,5 @@
 #include "haptics/guidance/guidance.h"
 
-#include "haptics/guidance/frame.h"
 #include "tests/haptics/scenes.h"
 #include "tests/haptics/tick.h"
 

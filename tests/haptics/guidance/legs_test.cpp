@@ -1,5 +1,3 @@
-#include "haptics/collision/legs.h"
-
 #include "haptics/collision/scene.h"
 #include "tests/haptics/scenes.h"
 

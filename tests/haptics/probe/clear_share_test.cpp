@@ -1,6 +1,6 @@
 // Conservative advancement of one edge against one line, where the answer is known.
 
-#include "haptics/probe/clear_share.h"
+#include "haptics/probe/probe_front.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,7 +1,6 @@
 // The least move is allowed, and no allowed move ends nearer.
 
-#include "haptics/probe/least_move.h"
-
+#include "haptics/probe/touching.h"
 #include "tests/haptics/collision/trials.h"
 
 #include <cmath>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "haptics/curve/curve_set.h"
-#include "haptics/probe/probe_pose.h"
+#include "haptics/probe/probe_shape.h"
 
 #include <span>
 #include <vector>

@@ -1,6 +1,5 @@
 // The level against the speed of the hand: the formula, the sweep, tremor.
 #include "haptics/resolution/level_rule.h"
-#include "haptics/resolution/shape_level_rule.h"
 
 #include <algorithm>
 #include <cmath>

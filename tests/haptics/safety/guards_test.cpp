@@ -1,11 +1,9 @@
 // The parts of the force chain, each on its own.
 
-#include "haptics/device/tip_dynamics.h"
-#include "haptics/safety/energy_guard.h"
+#include "haptics/safety/guards.h"
+
+#include "haptics/device/simulated_pantograph.h"
 #include "haptics/safety/hand_presence.h"
-#include "haptics/safety/motor_heat.h"
-#include "haptics/safety/position_guard.h"
-#include "haptics/safety/speed_limit.h"
 #include "tests/haptics/tick.h"
 
 #include <algorithm>

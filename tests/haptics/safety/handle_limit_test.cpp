@@ -1,6 +1,5 @@
 // The limits of a motor at the handle, each on its own.
-#include "haptics/safety/handle_limit.h"
-
+#include "haptics/safety/guards.h"
 #include "tests/haptics/safety/chains.h"
 
 #include <cmath>

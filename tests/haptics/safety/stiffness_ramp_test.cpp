@@ -1,4 +1,4 @@
-#include "haptics/safety/stiffness_ramp.h"
+#include "haptics/safety/stability_monitor.h"
 
 #include <cmath>
 #include <limits>

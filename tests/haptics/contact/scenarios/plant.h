@@ -6,7 +6,7 @@
 #include "haptics/collision/scene.h"
 #include "haptics/contact/proxy_state.h"
 #include "haptics/device/hand.h"
-#include "haptics/device/tip_dynamics.h"
+#include "haptics/device/simulated_pantograph.h"
 #include "tests/haptics/tick.h"
 
 #include <functional>

@@ -1,12 +1,16 @@
-// Moves a disc's centre round a convex vertex or the end of a line: on an arc about the vertex
-// between the normals of its two edges. With a radius of 1.4 F/K or more, the force turns there
-// instead of jumping. Threads: pure functions.
+// How a proxy gets round a vertex. A disc's centre moves round a convex vertex or the end of a line
+// on an arc about it, between the normals of its two edges: with a radius of 1.4 F/K or more, the
+// force turns there instead of jumping. At a sharp tip, tells which of the two edges is touched.
+// Threads: one, the servo's. No allocation.
 #pragma once
 
 #include "config/types/vec2.h"
+#include "haptics/collision/touch.h"
 #include "haptics/contact/proxy_state.h"
+#include "haptics/contact/rendered_outlines.h"
 
 #include <numbers>
+#include <optional>
 
 namespace touchline {
 
@@ -36,5 +40,11 @@ struct ArcGoal {
 /// goes on to the edge.
 [[nodiscard]] ArcGoal arc_goal(Direction n, Position pull, double offset_m, double to_left_rad,
                                double to_right_rad, double friction);
+
+/// Both edges of a sharp tip (under 25 degrees) are touched at the same moment within the tolerance
+/// of a sweep. If the touched side of `segment` lies inside the tip, returns the contact with the
+/// edge in front of it; else nothing. O(1).
+[[nodiscard]] std::optional<Contact> contact_in_front(RenderedOutlines& outlines,
+                                                      SegmentRef segment, const Touch& touch);
 
 }  // namespace touchline

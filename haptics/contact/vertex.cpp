@@ -1,12 +1,18 @@
-// State 2 of a servo step: at the end of an edge, round a vertex, or held by two contacts.
+// The arithmetic of vertices, and state 2 of a servo step: at the end of an edge, round a vertex,
+// or held by two contacts.
+#include "haptics/contact/vertex.h"
+
 #include "haptics/contact/contact_step.h"
-#include "haptics/contact/round_vertex.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace touchline {
 namespace {
+
+constexpr double rest_m = 1e-15;  // a pull this small along the arc moves nothing
+
+constexpr double sharp = 0.9;  // cosine of a tip's angle: one edge to a sweep
 
 constexpr double parallel = 1e-9;    // sine of an angle too small to tell
 constexpr double same_end = 1e-14;   // the same where two ends touch a disc: rounding
@@ -46,6 +52,80 @@ Direction back_to_touch(const Arc& arc, Direction from, Direction met, const Seg
 }
 
 }  // namespace
+
+double largest_arc_step_rad(double offset_m) {
+    constexpr double unfelt_m = 1e-9;
+    return offset_m > unfelt_m ? std::numbers::pi / 12.0 : std::numbers::pi / 2.0;
+}
+
+Direction turned(Direction n, double angle_rad) {
+    const double c = std::cos(angle_rad);
+    const double s = std::sin(angle_rad);
+    return {c * n.x - s * n.y, s * n.x + c * n.y};
+}
+
+double angle_between(Direction n, Direction m, double turn) {
+    constexpr double full = 2.0 * std::numbers::pi;
+    double angle = std::atan2(turn * cross(n, m), dot(n, m));
+    if (angle < 0.0) angle += full;
+    return angle > 0.875 * full ? 0.0 : angle;
+}
+
+ArcGoal arc_goal(Direction n, Position pull, double offset_m, double to_left_rad,
+                 double to_right_rad, double friction) {
+    const double sideways = cross(n, pull);  // pull along the arc, left positive
+    const double depth = offset_m - dot(n, pull);
+    const double distance = norm(pull);
+    const bool is_behind = dot(n, pull) < 0.0;
+    if (std::abs(sideways) <= std::max(held_by_friction(friction, depth), rest_m) &&
+        !(is_behind && friction == 0.0)) {
+        return {};
+    }
+    ArcGoal goal;
+    // Exactly behind the vertex both ways are equally good, so take the shorter one.
+    if (std::abs(sideways) <= rest_m) {
+        goal.turn = to_left_rad < to_right_rad ? 1.0 : -1.0;
+    } else {
+        goal.turn = sideways > 0.0 ? 1.0 : -1.0;
+    }
+    const double to_pull = std::abs(std::atan2(sideways, dot(n, pull)));
+    const double to_edge = goal.turn > 0.0 ? to_left_rad : to_right_rad;
+    double stop = to_pull;
+    if (distance > offset_m) {
+        stop = std::max(0.0, to_pull - std::acos(offset_m / distance));
+        goal.end = ArcGoal::End::free;
+    } else if (friction > 0.0) {
+        // At angle b before the pull's direction: distance sin b = friction (offset - distance cos
+        // b).
+        const double lean = std::atan(friction);
+        const double sine = offset_m * std::sin(lean) / distance;
+        stop = sine < 1.0 ? std::max(0.0, to_pull - (std::asin(sine) - lean)) : 0.0;
+    }
+    goal.angle_rad = stop;
+    if (to_edge < stop) {
+        goal.angle_rad = to_edge;
+        goal.end = ArcGoal::End::edge;
+    }
+    return goal;
+}
+
+std::optional<Contact> contact_in_front(RenderedOutlines& outlines, SegmentRef segment,
+                                        const Touch& touch) {
+    if (touch.is_end) return {};
+    const bool at_end = touch.parameter > 0.5;
+    const SegmentRef over = outlines.next(segment, at_end);
+    if (over.piece < 0) return {};
+    const Segment behind = outlines.segment(segment);
+    const Segment front = outlines.segment(over);
+    const Direction back = (at_end ? 1.0 : -1.0) * direction_of(front.b - front.a);
+    const Direction along_it = (at_end ? 1.0 : -1.0) * direction_of(behind.b - behind.a);
+    if (!(dot(back, touch.normal) > 0.0 && dot(back, along_it) < -sharp)) return {};
+    const Foot on_front = foot(point_of(behind, touch.parameter), front);
+    if (!(on_front.distance_m <= approach_tolerance_m)) return {};
+    const bool is_right = dot(normal_of(front, Side::left), touch.normal) < 0.0;
+    const Side side = is_right ? Side::right : Side::left;
+    return Contact{over, on_front.parameter, side, normal_of(front, side), touch.distance_m, false};
+}
 
 /// Handles a stop on the way: by a second contact, or by the budget with `left_m` to go.
 ContactStep::Next ContactStep::arrive(const Sweep& sweep, double left_m) {
@@ -110,7 +190,7 @@ ContactStep::Next ContactStep::walk_or_hold(SegmentRef next, bool at_start, Dire
                                 : at.offset_m;
     const Contact ahead{next, at_start ? 0.0 : 1.0, at.side, normal, offset_m, false};
     const double depth = -dot(handle_ - proxy_.centre, at.normal);
-    if (dot(handle_ - proxy_.centre, away) > settings_.friction * depth) {
+    if (dot(handle_ - proxy_.centre, away) > held_by_friction(settings_.friction, depth)) {
         first() = ahead;
         place_at_contact();
         return Next::again;
@@ -125,12 +205,7 @@ ContactStep::Next ContactStep::move_round() {
     Contact& at = first();
     const Position vertex = point_of(outlines_.segment(at.segment), at.parameter);
     const Position pull = handle_ - vertex;
-    if (dot(pull, at.normal) > at.offset_m) {
-        proxy_.contact_count = 0;
-        enter(ContactState::edge);
-        enter(ContactState::free);
-        return Next::again;
-    }
+    if (dot(pull, at.normal) > at.offset_m) return let_go();
     Contact left_edge;
     Contact right_edge;
     const double to_left = arc_to(at, 1.0, left_edge);
@@ -181,10 +256,7 @@ ContactStep::Next ContactStep::move_round() {
             place_at_contact();
             return Next::again;
         case ArcGoal::End::free:
-            proxy_.contact_count = 0;
-            enter(ContactState::edge);
-            enter(ContactState::free);
-            return Next::again;
+            return let_go();
     }
     return Next::done;
 }
@@ -223,11 +295,7 @@ ContactStep::Next ContactStep::move_at_corner() {
     const Contact a = proxy_.contacts[0];
     const Contact b = proxy_.contacts[1];
     if (dot(pull, a.normal) >= 0.0 && dot(pull, b.normal) >= 0.0) {
-        if (!(norm(pull) > 0.0)) return Next::done;
-        proxy_.contact_count = 0;
-        enter(ContactState::edge);
-        enter(ContactState::free);
-        return Next::again;
+        return norm(pull) > 0.0 ? let_go() : Next::done;
     }
     double pull_a = 0.0;
     double pull_b = 0.0;
@@ -246,7 +314,7 @@ bool ContactStep::can_slide(const Contact& along_this, const Contact& other, dou
     const Position pull = handle_ - proxy_.centre;
     const double depth = -dot(pull, along_this.normal);
     const double sideways = cross(along_this.normal, pull);
-    pull_m = std::abs(sideways) - settings_.friction * std::max(depth, 0.0);
+    pull_m = std::abs(sideways) - held_by_friction(settings_.friction, std::max(depth, 0.0));
     const Direction way = std::copysign(1.0, sideways) * left_of(along_this.normal);
     // Round an end, the way bends down at once, so it must not go into a line that it starts along.
     double least = -parallel;
