@@ -9,7 +9,6 @@ namespace touchline {
 namespace {
 
 constexpr std::string_view magic = "TLBLACK\n";
-constexpr std::uint32_t layout = 3;
 constexpr std::uint64_t most_maps = 10'000;
 constexpr std::uint64_t most_start_bytes = 1 << 20;
 
@@ -33,8 +32,8 @@ class Hash {
     std::uint64_t value_ = 0xcbf29ce484222325U;
 };
 
-// Name every field added to one of these in its list of fields; otherwise a run cannot be repeated.
-static_assert(sizeof(ServoCommands) == 176 && sizeof(StepInput) == 256);
+// Name every member added in tick() or command_fields(); otherwise a run cannot be repeated.
+static_assert(sizeof(StepInput) == sizeof(ServoCommands) + 80);
 
 template <class Bytes, class Vector>
 void vector(Bytes& bytes, Vector& v) {
@@ -121,6 +120,12 @@ std::size_t bytes_per_tick() {
     return writer.bytes().size();
 }
 
+/// The number of the layout follows from the fields of a tick. Number 3 had this many bytes.
+std::uint32_t layout() {
+    constexpr std::size_t bytes_of_3 = 338;
+    return static_cast<std::uint32_t>(3 + bytes_per_tick() - bytes_of_3);
+}
+
 bool is_gallery(const std::vector<RecordedMap>& maps, std::uint64_t version) {
     return version == 0 || std::any_of(maps.begin(), maps.end(), [version](const RecordedMap& m) {
                return m.version == version && !m.gallery_file.empty();
@@ -180,7 +185,7 @@ Recording make_recording(const Recorder& recorder, std::string profile,
 std::vector<std::byte> encode(const Recording& recording) {
     ByteWriter bytes;
     bytes.raw(magic);
-    bytes.number(layout);
+    bytes.number(layout());
     bytes.text<std::uint8_t>(recording.profile);
     bytes.number(std::uint64_t{recording.maps.size()});
     for (const RecordedMap& m : recording.maps) map(bytes, m);
@@ -197,7 +202,7 @@ std::vector<std::byte> encode(const Recording& recording) {
 Result<Recording> decode(std::span<const std::byte> all) {
     ByteReader bytes(all);
     if (bytes.raw_text(magic.size()) != magic) return refused("it does not begin like one");
-    if (bytes.number<std::uint32_t>() != layout)
+    if (bytes.number<std::uint32_t>() != layout())
         return refused("it was written by another version of touchline");
     constexpr std::size_t checksum_bytes = sizeof(std::uint64_t);
     if (bytes.left() < checksum_bytes ||

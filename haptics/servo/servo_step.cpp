@@ -49,7 +49,7 @@ ServoStep::ServoStep(const DeviceProfile& profile, double period_s, const TierLi
       level_rule_(level_limits_),
       cost_(period_s),
       boxes_per_tick_(std::min(most_boxes_per_tick, affordable_boxes(period_s))),
-      stiffness_(ServoCommands{}.stiffness_N_per_m),
+      stiffness_(ServoCommands{}.contact.stiffness_N_per_m),
       loop_(loop_settings(profile, period_s, 0.0)),
       measured_period_s_(period_s),
       velocity_(encoder_step_m(profile)),
@@ -192,7 +192,7 @@ void ServoStep::follow_wishes(const StepInput& input) {
     const ServoCommands& commands = input.commands;
     const bool may_hold =
         hand_ != nullptr && input.scene != nullptr && !guidance_.leads() && !guidance_.is_pending();
-    const Felt wanted{input.scene, commands.radius_m, commands.capture_m,
+    const Felt wanted{input.scene, commands.contact.radius_m, commands.contact.capture_m,
                       may_hold ? commands.shape : HeldShape::none};
     is_swapping_ = wanted != felt_;
     if (!is_swapping_ || !chain_.is_faded()) return;
@@ -230,7 +230,8 @@ StiffnessBound ServoStep::stiffness_bound() const {
 
 Force ServoStep::feel(const ServoCommands& commands, double dt_s) {
     const double level = level_rule_.level();
-    const double wanted_N_per_m = possible_N_per_m(stiffness_bound(), commands.stiffness_N_per_m);
+    const double wanted_N_per_m =
+        possible_N_per_m(stiffness_bound(), commands.contact.stiffness_N_per_m);
     // Without force, a change of stiffness does no work, so it need not be ramped.
     if (chain_.is_faded()) stiffness_ = StiffnessRamp(wanted_N_per_m);
     const double depth_m = norm(contact_report_.p_WP - p_WH_);
@@ -246,7 +247,7 @@ Force ServoStep::feel(const ServoCommands& commands, double dt_s) {
         mode_ = Mode::wall;
         feel_shape(level);
     } else {
-        mode_ = is_led ? Mode::groove : commands.mode;
+        mode_ = is_led ? Mode::groove : commands.contact.mode;
         feel_point(commands, level);
     }
     share_lines(commands, is_led);
@@ -260,13 +261,12 @@ Force ServoStep::feel(const ServoCommands& commands, double dt_s) {
 }
 
 void ServoStep::feel_point(const ServoCommands& commands, double level) {
-    const ContactSettings settings{mode_,
-                                   stiffness_.stiffness_N_per_m(),
-                                   commands.friction,
-                                   felt_.radius_m,
-                                   felt_.capture_m,
-                                   commands.pop_through_N / monitor_.gain(),
-                                   commands.pop_through_s};
+    ContactSettings settings = commands.contact;
+    settings.mode = mode_;
+    settings.stiffness_N_per_m = stiffness_.stiffness_N_per_m();
+    settings.radius_m = felt_.radius_m;
+    settings.capture_m = felt_.capture_m;
+    settings.pop_through_N /= monitor_.gain();
     contact_report_ = contact_.step(p_WH_, level, settings, Budget{boxes_per_tick_, 0}, period_s_);
     (void)cost_.step(work_of(contact_report_), contact_.rendered_level());
 }
@@ -292,7 +292,8 @@ double ServoStep::damped_twist_Nm() const {
 /// The hand is led across lines too, so they must not hold it back, nor keep force from coming on
 /// before.
 void ServoStep::share_lines(const ServoCommands& commands, bool is_led) {
-    const double groove_N = groove_peak * stiffness_.stiffness_N_per_m() * commands.capture_m;
+    const double groove_N =
+        groove_peak * stiffness_.stiffness_N_per_m() * commands.contact.capture_m;
     const double led_N = guidance_.leads() ? led_groove_N : pending_groove_N;
     const double goal = is_led ? std::min(1.0, led_N / groove_N) : 1.0;
     const double step = share_per_s * period_s_;

@@ -19,7 +19,7 @@ TEST(Recorder, KeepsWhatATickWas) {
     ServoExchange exchange;
     exchange.feel(line_scene(0.0, 7));
     ServoCommands commands;
-    commands.stiffness_N_per_m = 321.0;
+    commands.contact.stiffness_N_per_m = 321.0;
     exchange.set(commands);
     Recorder recorder(4);
     ServoLoop loop(device, default_profile(), 1e-3, exchange, recorder);

@@ -40,8 +40,8 @@ struct Session {
         ServoCommands commands;
         for (int k = 0; k < ticks; ++k) {
             if (k % 3000 == 0) exchange.feel(scenes.at(k / 3000 % 2 == 0 ? 1 : 2));
-            commands.mode = static_cast<Mode>(k / 1700 % 4);
-            commands.stiffness_N_per_m = k / 2500 % 2 == 0 ? 500.0 : 350.0;
+            commands.contact.mode = static_cast<Mode>(k / 1700 % 4);
+            commands.contact.stiffness_N_per_m = k / 2500 % 2 == 0 ? 500.0 : 350.0;
             commands.is_level_auto = k / 4000 % 2 == 0;
             commands.is_force_wanted = k % 10'000 < 9'500;
             commands.force_ceiling_N = k / 1000 % 2 == 0 ? 3.0 : 1.5;
@@ -118,6 +118,16 @@ TEST(Recording, AStartThatDoesNotFitIsRefused) {
     EXPECT_EQ(run_again(recording, unknown).error().line, "gone");
     recording.profile = "none such";
     EXPECT_FALSE(run_again(recording, Session::built_again).has_value());
+}
+
+TEST(Recording, TheNumberOfTheLayoutFollowsFromTheBytesOfATick) {
+    Recording recording;
+    const auto none = encode(recording);
+    recording.ticks.resize(1);
+    const std::size_t bytes_per_tick = encode(recording).size() - none.size();
+    std::uint32_t layout = 0;
+    std::memcpy(&layout, none.data() + 8, sizeof layout);
+    EXPECT_EQ(layout, 3 + bytes_per_tick - 338);  // number 3 had 338 bytes
 }
 
 TEST(Recording, TheHashIsOfWhatCanBeFelt) {
