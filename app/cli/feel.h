@@ -3,7 +3,7 @@
 #pragma once
 
 #include "config/types/result.h"
-#include "haptics/contact/contact_machine.h"
+#include "haptics/contact/proxy_state.h"
 #include "haptics/curve/curve_set.h"
 
 #include <optional>
@@ -25,9 +25,6 @@ struct FeelOptions {
     std::optional<double> deadline_us;
     bool with_timing = false;
 };
-
-/// The budget of one step of the run. A deadline counts from now.
-[[nodiscard]] Budget budget_of(const FeelOptions& options);
 
 /// Writes RUN.csv whole or not at all.
 [[nodiscard]] Result<void> run_feel(const FeelOptions& options);

@@ -40,10 +40,10 @@ Felt felt_by(const ServoReport& report, const Scene& scene) {
     const HandState& hand = report.hand;
     const bool is_there = hand.map_version == scene.map_version;
     const bool is_live = report.force.state == ForceState::live;
-    const Rendering rendering = !is_there ? Rendering::off
-                                : is_live ? Rendering::on
-                                          : Rendering::changing;
-    return {hand.p_WP, hand.force, hand.state != ContactState::free, rendering};
+    const MapForce map_force = !is_there ? MapForce::off
+                               : is_live ? MapForce::on
+                                         : MapForce::changing;
+    return {hand.p_WP, hand.force, hand.state != ContactState::free, map_force};
 }
 
 void add_figures(TourRun& run) {

@@ -9,8 +9,8 @@
 #include "haptics/servo/peer_watch.h"
 #include "haptics/servo/real_time.h"
 #include "haptics/servo/recorder.h"
+#include "haptics/servo/rendering.h"
 #include "haptics/servo/servo_step.h"
-#include "haptics/servo/shape_in_hand.h"
 #include "haptics/servo/tick_clock.h"
 
 #include <atomic>

@@ -3,7 +3,6 @@
 #include "haptics/safety/force_chain.h"
 #include "haptics/servo/loop_settings.h"
 #include "haptics/servo/servo_step.h"
-#include "haptics/servo/virtual_damping.h"
 #include "tests/bench/contact/renderers.h"
 
 #include <array>
