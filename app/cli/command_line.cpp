@@ -9,8 +9,8 @@
 #include "app/cli/settings_command.h"
 #include "app/cli/trace_command.h"
 #include "app/packs/pack_toml.h"
-#include "config/types/plain_line.h"
-#include "config/types/stiffness_bound.h"
+#include "config/types/hand_state.h"
+#include "config/types/utf8.h"
 #include "haptics/pantograph/profile.h"
 
 #include <charconv>

@@ -2,7 +2,6 @@
 // Threads: pure functions.
 #pragma once
 
-#include "config/types/force_status.h"
 #include "config/types/hand_state.h"
 
 #include <array>

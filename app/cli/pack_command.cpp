@@ -5,7 +5,7 @@
 #include "app/packs/pack_export.h"
 #include "app/packs/pack_library.h"
 #include "audio-cues/words/language.h"
-#include "config/types/plain_line.h"
+#include "config/types/utf8.h"
 
 #include <algorithm>
 #include <ostream>

@@ -4,7 +4,7 @@
 #include "app/operator/settings_files.h"
 #include "app/sound/catalogues.h"
 #include "config/settings/settings_text.h"
-#include "config/types/plain_line.h"
+#include "config/types/utf8.h"
 
 #include <algorithm>
 #include <filesystem>

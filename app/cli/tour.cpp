@@ -6,7 +6,7 @@
 #include "app/screen/tour_figure.h"
 #include "app/servo/scene_order.h"
 #include "app/session/proxy_radius.h"
-#include "config/types/plain_line.h"
+#include "config/types/utf8.h"
 #include "haptics/device/simulated_pantograph.h"
 #include "haptics/servo/servo_step.h"
 

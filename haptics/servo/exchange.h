@@ -4,7 +4,6 @@
 
 #include "config/types/contact_event.h"
 #include "config/types/fields.h"
-#include "config/types/force_status.h"
 #include "config/types/guidance.h"
 #include "config/types/hand_state.h"
 #include "haptics/collision/scene.h"

@@ -3,7 +3,7 @@
 // Threads: one, the servo's. No allocation, lock, clock, log or system call.
 #pragma once
 
-#include "config/types/stiffness_bound.h"
+#include "config/types/hand_state.h"
 #include "config/types/vec2.h"
 #include "haptics/contact/event_detector.h"
 #include "haptics/guidance/guidance.h"

@@ -3,7 +3,7 @@
 // Threads: plain values and pure functions.
 #pragma once
 
-#include "config/types/stiffness_bound.h"
+#include "config/types/hand_state.h"
 #include "config/types/vec2.h"
 #include "haptics/pantograph/profile.h"
 #include "haptics/servo/real_time.h"

@@ -3,7 +3,7 @@
 // Threads: one, the servo's, except for the constructor of ShapeInHand.
 #pragma once
 
-#include "config/types/held_shape.h"
+#include "config/types/hand_state.h"
 #include "haptics/collision/scene.h"
 #include "haptics/contact/contact_machine.h"
 #include "haptics/pantograph/profile.h"
