@@ -1,8 +1,6 @@
-#include "app/cli/feel.h"
-
+#include "app/cli/commands.h"
 #include "app/cli/hand_csv.h"
 #include "app/cli/load.h"
-#include "app/cli/names.h"
 #include "app/decode/files.h"
 #include "config/types/steady_clock.h"
 #include "haptics/pantograph/profile.h"
@@ -56,7 +54,7 @@ void write_row(fmt::memory_buffer& out, const HandRow& hand, const ContactReport
 }
 
 /// By the first two rows.
-double period_s(const std::vector<HandRow>& hand) {
+double period_of(const std::vector<HandRow>& hand) {
     return hand.size() > 1 ? hand[1].t_s - hand[0].t_s : first_period_s;
 }
 
@@ -77,7 +75,7 @@ class Feeling {
   public:
     Feeling(const Scene& scene, const ProbeShape* shape, const FeelOptions& options,
             const DeviceProfile& profile, const std::vector<HandRow>& hand)
-        : scene_(scene), options_(options), hand_(hand), rendering_(profile, period_s(hand)) {
+        : scene_(scene), options_(options), hand_(hand), rendering_(profile, period_of(hand)) {
         rendering_.begin(&scene, options.contact.radius_m,
                          shape == nullptr ? HeldProbe{} : HeldProbe{shape, &proxy_});
         bound_level();

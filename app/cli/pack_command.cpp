@@ -1,5 +1,4 @@
-#include "app/cli/pack_command.h"
-
+#include "app/cli/commands.h"
 #include "app/decode/files.h"
 #include "app/packs/pack_check.h"
 #include "app/packs/pack_export.h"

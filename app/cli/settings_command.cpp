@@ -1,5 +1,4 @@
-#include "app/cli/settings_command.h"
-
+#include "app/cli/commands.h"
 #include "app/decode/files.h"
 #include "app/operator/settings_files.h"
 #include "app/sound/catalogues.h"

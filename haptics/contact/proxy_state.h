@@ -4,7 +4,6 @@
 
 #include "config/types/fields.h"
 #include "config/types/hand_state.h"
-#include "config/types/stiffness_bound.h"
 #include "config/types/vec2.h"
 #include "haptics/curve/curve_set.h"
 

@@ -9,7 +9,6 @@
 #include "haptics/collision/scene.h"
 #include "haptics/contact/proxy_state.h"
 #include "haptics/safety/force_chain.h"
-#include "haptics/servo/lateness.h"
 #include "haptics/servo/real_time.h"
 
 #include <array>

@@ -3,6 +3,8 @@
 #include "config/types/fields.h"
 
 #include <algorithm>
+#include <map>
+#include <string>
 #include <string_view>
 
 namespace touchline {
@@ -144,6 +146,28 @@ tl::unexpected<Error> refused(std::string_view why) {
     return failure("this is no recording that can be read: " + std::string(why));
 }
 
+using SceneOf = std::function<Result<std::shared_ptr<const Scene>>(std::uint64_t version)>;
+
+/// Every scene that the ticks name, by version; 0 means no scene.
+using Scenes = std::map<std::uint64_t, std::shared_ptr<const Scene>>;
+
+Result<Scenes> scenes_of(const Recording& recording, const SceneOf& scene_of) {
+    Scenes scenes{{0, nullptr}};
+    const auto add = [&](std::uint64_t version) -> Result<void> {
+        if (scenes.contains(version)) return {};
+        auto scene = scene_of(version);
+        if (!scene) return tl::unexpected(scene.error());
+        scenes.emplace(version, std::move(*scene));
+        return {};
+    };
+    if (auto added = add(recording.start_version); !added) return tl::unexpected(added.error());
+    for (std::size_t i = recording.start_tick; i < recording.ticks.size(); ++i) {
+        auto added = add(recording.ticks[i].wanted_version);
+        if (!added) return tl::unexpected(added.error());
+    }
+    return scenes;
+}
+
 }  // namespace
 
 std::uint64_t hash_of(const TactileMap& map) {
@@ -240,6 +264,40 @@ bool came_out_same(const TickRecord& a, const TickRecord& b) {
     outputs(of_a, a);
     outputs(of_b, b);
     return of_a.bytes() == of_b.bytes();
+}
+
+Result<Replay> run_again(const Recording& recording, const SceneOf& scene_of) {
+    if (recording.start.empty()) {
+        return failure(
+            "the recording cannot be run again: a visitor's picture was felt, of which only "
+            "inputs, outputs and a number are kept, or a shape was in the hand all the time");
+    }
+    const auto profile = find_profile(recording.profile);
+    if (!profile) return tl::unexpected(profile.error());
+    const auto scenes = scenes_of(recording, scene_of);
+    if (!scenes) return tl::unexpected(scenes.error());
+    auto step = ServoStep::from_memory(recording.start, scenes->at(recording.start_version).get(),
+                                       *profile);
+    if (!step) {
+        return failure("the recording cannot be run again: another build of touchline wrote it");
+    }
+    ShapeInHand hand;
+    step->lend(&hand);
+    Replay replay;
+    replay.first = recording.start_tick;
+    for (std::size_t i = recording.start_tick; i < recording.ticks.size(); ++i) {
+        const TickRecord& told = recording.ticks[i];
+        StepInput input = told.input;
+        input.scene = scenes->at(told.wanted_version).get();
+        if (told.is_fading_out) step->fade_out();
+        const JointTorques torques = step->step(input);
+        replay.ticks.push_back(record_of(input, *step, torques, told.is_refused));
+        if (told.is_refused) step->lose_device();
+        if (!replay.differs_at && !came_out_same(replay.ticks.back(), told)) {
+            replay.differs_at = i;
+        }
+    }
+    return replay;
 }
 
 }  // namespace touchline

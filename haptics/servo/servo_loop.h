@@ -5,7 +5,6 @@
 #include "haptics/device/force_device.h"
 #include "haptics/pantograph/profile.h"
 #include "haptics/servo/exchange.h"
-#include "haptics/servo/lateness.h"
 #include "haptics/servo/peer_watch.h"
 #include "haptics/servo/real_time.h"
 #include "haptics/servo/recorder.h"

@@ -1,4 +1,5 @@
 #include "haptics/servo/handle_motion.h"
+
 #include "tests/haptics/tick.h"
 
 #include <cmath>
