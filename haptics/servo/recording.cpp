@@ -43,30 +43,20 @@ void vector(Bytes& bytes, Vector& v) {
     bytes.number(v.y);
 }
 
-void angles(ByteWriter& bytes, const std::optional<JointAngles>& angles) {
-    bytes.flag(angles.has_value());
-    vector(bytes, angles ? *angles : JointAngles{});
+template <class T, class Field>
+void optional(ByteWriter& bytes, const std::optional<T>& value, Field field) {
+    bytes.flag(value.has_value());
+    const T told = value.value_or(T{});
+    field(bytes, told);
 }
 
-void angles(ByteReader& bytes, std::optional<JointAngles>& angles) {
+template <class T, class Field>
+void optional(ByteReader& bytes, std::optional<T>& value, Field field) {
     bool is_there = false;
-    JointAngles told;
+    T told{};
     bytes.flag(is_there);
-    vector(bytes, told);
-    if (is_there) angles = told;
-}
-
-void angle(ByteWriter& bytes, const std::optional<double>& angle_rad) {
-    bytes.flag(angle_rad.has_value());
-    bytes.number(angle_rad.value_or(0.0));
-}
-
-void angle(ByteReader& bytes, std::optional<double>& angle_rad) {
-    bool is_there = false;
-    double told_rad = 0.0;
-    bytes.flag(is_there);
-    bytes.number(told_rad);
-    if (is_there) angle_rad = told_rad;
+    field(bytes, told);
+    if (is_there) value = told;
 }
 
 /// A tick's outputs.
@@ -96,8 +86,8 @@ template <class Bytes, class Tick>
 void tick(Bytes& bytes, Tick& t) {
     bytes.number(t.input.now_s);
     bytes.number(t.input.missed_ticks);
-    angles(bytes, t.input.angles);
-    angle(bytes, t.input.handle_rad);
+    optional(bytes, t.input.angles, [](auto& f, auto& angles) { vector(f, angles); });
+    optional(bytes, t.input.handle_rad, [](auto& f, auto& angle_rad) { f.number(angle_rad); });
     command_fields(bytes, t.input.commands);
     bytes.number(t.input.delay_s);
     bytes.number(t.input.force_share);
