@@ -1,16 +1,9 @@
 #include "app/cli/command_line.h"
 
-#include "app/cli/curve.h"
-#include "app/cli/device.h"
-#include "app/cli/feel.h"
-#include "app/cli/models_command.h"
-#include "app/cli/pack_command.h"
-#include "app/cli/replay_command.h"
-#include "app/cli/settings_command.h"
-#include "app/cli/trace_command.h"
+#include "app/cli/commands.h"
 #include "app/packs/pack_toml.h"
-#include "config/types/plain_line.h"
-#include "config/types/stiffness_bound.h"
+#include "config/types/hand_state.h"
+#include "config/types/utf8.h"
 #include "haptics/pantograph/profile.h"
 
 #include <charconv>
@@ -110,6 +103,15 @@ CLI::Option* add_input(CLI::App& command, std::string& input, bool* as_picture) 
         command.add_flag("--picture", *as_picture, "Take an .svg as a picture, not as a map");
     }
     return option;
+}
+
+/// A command of a command, which chooses an action.
+template <class Action>
+CLI::App* add_action(CLI::App& command, Action& chosen, const char* name, Action action,
+                     const char* what) {
+    CLI::App* const added = command.add_subcommand(name, what);
+    added->callback([&chosen, action] { chosen = action; });
+    return added;
 }
 
 void add_curves(CLI::App& command, CurveOptions& curves) {
@@ -264,8 +266,7 @@ class CommandLine {
         device_command_ = app_.add_subcommand("device", "The pantograph's board and its motors");
         device_command_->require_subcommand(1);
         const auto add = [this](const char* name, DeviceAction action, const char* what) {
-            auto* command = device_command_->add_subcommand(name, what);
-            command->callback([this, action] { device_.action = action; });
+            auto* command = add_action(*device_command_, device_.action, name, action, what);
             if (action == DeviceAction::list) return;
             command->add_option("--serial", device_.serial, "Of the unit, where there are several");
             command->add_option("--profile", device_.profile,
@@ -282,9 +283,8 @@ class CommandLine {
         settings_command_ = app_.add_subcommand("settings", "What an operator has set");
         settings_command_->require_subcommand(1);
         const auto add = [this](const char* name, SettingsAction action, const char* what) {
-            auto* command = settings_command_->add_subcommand(name, what);
-            command->callback([this, action] { settings_.action = action; });
-            command->add_option("file", settings_.file, "Else the file of this site");
+            add_action(*settings_command_, settings_.action, name, action, what)
+                ->add_option("file", settings_.file, "Else the file of this site");
         };
         add("check", SettingsAction::check, "Whether a file of settings can be used");
         add("print", SettingsAction::print, "All settings, as they hold with it");
@@ -294,8 +294,7 @@ class CommandLine {
         pack_command_ = app_.add_subcommand("pack", "Picture packs: maps, texts and voices");
         pack_command_->require_subcommand(1);
         const auto add = [this](const char* name, PackAction action, const char* what) {
-            auto* command = pack_command_->add_subcommand(name, what);
-            command->callback([this, action] { pack_.action = action; });
+            auto* command = add_action(*pack_command_, pack_.action, name, action, what);
             command->add_option("pack", pack_.input, "A folder or a zip file")->required();
             return command;
         };
@@ -320,9 +319,7 @@ class CommandLine {
             "models", "The networks that Touchline can use, and which of them come with it");
         models_command_->require_subcommand(1);
         const auto add = [this](const char* name, ModelsAction action, const char* what) {
-            auto* command = models_command_->add_subcommand(name, what);
-            command->callback([this, action] { models_.action = action; });
-            return command;
+            return add_action(*models_command_, models_.action, name, action, what);
         };
         add("list", ModelsAction::list, "What there is, under which licence, and what is here");
         add("check", ModelsAction::check, "Whether those that are here are whole");

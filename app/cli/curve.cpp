@@ -1,5 +1,4 @@
-#include "app/cli/curve.h"
-
+#include "app/cli/commands.h"
 #include "app/cli/json.h"
 #include "app/cli/load.h"
 #include "app/decode/files.h"

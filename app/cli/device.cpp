@@ -1,12 +1,11 @@
-#include "app/cli/device.h"
-
+#include "app/cli/commands.h"
 #include "app/device/board_files.h"
 #include "app/device/device_words.h"
 #include "app/device/procedures.h"
-#include "config/types/plain_line.h"
+#include "config/types/utf8.h"
 #include "haptics/device/usb_boards.h"
 #include "haptics/device/usb_pantograph.h"
-#include "haptics/servo/lateness.h"
+#include "haptics/servo/real_time.h"
 
 #include <atomic>
 #include <csignal>

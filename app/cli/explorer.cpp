@@ -167,7 +167,7 @@ void Explorer::travel(const Felt& felt, double dt_s) {
     const Position target = beside(route_[at_]);
     if (!move_to(target, options_.travel_m_per_s, dt_s)) return;
     waited_s_ += dt_s;
-    if (felt.rendering == Rendering::off && norm(felt.proxy - target) < arrival_m) {
+    if (felt.map_force == MapForce::off && norm(felt.proxy - target) < arrival_m) {
         phase_ = Phase::settle;
         waited_s_ = 0.0;
     } else if (waited_s_ > arrival_s) {
@@ -179,7 +179,7 @@ void Explorer::travel(const Felt& felt, double dt_s) {
 void Explorer::settle(const Felt& felt, double dt_s) {
     waited_s_ += dt_s;
     if (waited_s_ > longest_wait_s) phase_ = Phase::done;  // the servo refuses to make force
-    if (felt.rendering != Rendering::on) return;
+    if (felt.map_force != MapForce::on) return;
     phase_ = Phase::approach;
     outward_ = route_[at_].outward;
     free_s_ = 0.0;

@@ -28,15 +28,15 @@ struct ExplorerOptions {
     double lost_s = 0.5;             // without contact for this long: the outline is lost
 };
 
-/// Whether the servo renders the map.
-enum class Rendering : std::uint8_t { off, changing, on };
+/// Whether the map is felt.
+enum class MapForce : std::uint8_t { off, changing, on };
 
 /// What the hand feels.
 struct Felt {
     Position proxy;
     Force force;  // the force on the hand
     bool is_in_contact = false;
-    Rendering rendering = Rendering::off;
+    MapForce map_force = MapForce::off;
 };
 
 /// A place on an outline, and the side on which the hand stays.

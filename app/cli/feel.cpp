@@ -1,14 +1,10 @@
-#include "app/cli/feel.h"
-
-#include "app/cli/feel_shape.h"
+#include "app/cli/commands.h"
 #include "app/cli/hand_csv.h"
 #include "app/cli/load.h"
-#include "app/cli/names.h"
 #include "app/decode/files.h"
 #include "config/types/steady_clock.h"
 #include "haptics/pantograph/profile.h"
-#include "haptics/resolution/cost_term.h"
-#include "haptics/resolution/level_rule.h"
+#include "haptics/servo/rendering.h"
 
 #include <algorithm>
 #include <iterator>
@@ -17,6 +13,8 @@
 
 namespace touchline {
 namespace {
+
+constexpr double first_period_s = 1e-3;  // before the first row, and of a single one
 
 Result<std::vector<HandRow>> read_hand(const std::string& path, HandColumns columns) {
     return read_file(path).and_then([&path, columns](const std::vector<std::byte>& bytes) {
@@ -28,7 +26,16 @@ Result<std::vector<HandRow>> read_hand(const std::string& path, HandColumns colu
     });
 }
 
-/// One line of RUN.csv. Numbers read back to the same bits.
+Result<ProbeShape> load_shape(const FeelOptions& options) {
+    return load_map(options.probe, false).and_then([&options](const TactileMap& map) {
+        return ProbeShape::of_map(map, options.contact.radius_m)
+            .map_error([&options](const Error& error) {
+                return Error{fmt::format("{}: {}", options.probe, error.line)};
+            });
+    });
+}
+
+/// One line of RUN.csv, without what is optional. Numbers read back to the same bits.
 void write_row(fmt::memory_buffer& out, const HandRow& hand, const ContactReport& report) {
     auto to = std::back_inserter(out);
     fmt::format_to(to, "{},{},{},{},{},{},{},{},{},", hand.t_s, hand.p_WH.x, hand.p_WH.y,
@@ -46,80 +53,12 @@ void write_row(fmt::memory_buffer& out, const HandRow& hand, const ContactReport
     fmt::format_to(to, ",{},{},{}", report.carried_m, report.boxes, report.clear);
 }
 
-LevelLimits limits_of(const Scene& scene, const DeviceProfile& profile, double radius_m) {
-    LevelLimits limits;
-    limits.spacing_m = scene.curves.finest_spacing_m();
-    limits.encoder_step_m = encoder_step_m(profile);
-    limits.f_device_Hz = profile.bandwidth_Hz;
-    limits.radius_m = radius_m;
-    limits.percept = scene.percept_level;
-    limits.safe = scene.curves.coarsest();
-    return limits;
+/// By the first two rows.
+double period_of(const std::vector<HandRow>& hand) {
+    return hand.size() > 1 ? hand[1].t_s - hand[0].t_s : first_period_s;
 }
 
-/// The rows of a run, stepped through the production code.
-class Feeling {
-  public:
-    Feeling(const Scene& scene, const FeelOptions& options, const DeviceProfile& profile)
-        : scene_(scene),
-          options_(options),
-          limits_(limits_of(scene, profile, options.contact.radius_m)),
-          rule_(limits_) {}
-
-    std::string run(const std::vector<HandRow>& hand) {
-        if (hand.size() > 1) cost_ = CostTerm(hand[1].t_s - hand[0].t_s);
-        fmt::memory_buffer out;
-        fmt::format_to(
-            std::back_inserter(out),
-            "t_s,x_m,y_m,proxy_x_m,proxy_y_m,fx_N,fy_N,state,level,outline,parameter,side,"
-            "transitions,carried_m,nodes,clear{}\n",
-            options_.with_timing ? ",step_ns" : "");
-        for (std::size_t i = 0; i < hand.size(); ++i) {
-            const double dt_s = i > 0 ? hand[i].t_s - hand[i - 1].t_s : first_period_s;
-            const std::int64_t begin_ns = options_.with_timing ? steady_now_ns() : 0;
-            const double level = wanted_level(hand[i].p_WH, dt_s);
-            const ContactReport report = i == 0
-                                             ? start(hand[0].p_WH, level)
-                                             : machine_.step(hand[i].p_WH, level, options_.contact,
-                                                             budget_of(options_), dt_s);
-            limits_.cost = cost_.step(work_of(report), machine_.rendered_level());
-            rule_.set_limits(limits_);
-            const std::int64_t step_ns = options_.with_timing ? steady_now_ns() - begin_ns : 0;
-            write_row(out, hand[i], report);
-            if (options_.with_timing) fmt::format_to(std::back_inserter(out), ",{}", step_ns);
-            out.push_back('\n');
-        }
-        return fmt::to_string(out);
-    }
-
-  private:
-    /// The first row: the proxy is at the handle, free. On a line it is beside it, by the contact
-    /// skin.
-    ContactReport start(Position handle, double level) {
-        machine_.reset(scene_, handle, level);
-        ContactReport report;
-        report.p_WP = machine_.proxy().centre;
-        report.force = along<Force>(report.p_WP - handle, options_.contact.stiffness_N_per_m);
-        report.level = level;
-        return report;
-    }
-
-    double wanted_level(Position handle, double dt_s) {
-        const double coarsest = scene_.curves.coarsest();
-        if (options_.level) return std::min(*options_.level, coarsest);
-        return rule_.step(handle, dt_s);
-    }
-
-    const Scene& scene_;
-    const FeelOptions& options_;
-    LevelLimits limits_;
-    LevelRule rule_;
-    CostTerm cost_{first_period_s};  // period of the first two rows
-    ContactMachine machine_;
-};
-
-}  // namespace
-
+/// The budget of one step of the run. A deadline counts from now.
 Budget budget_of(const FeelOptions& options) {
     Budget budget;
     if (options.budget_boxes) budget.boxes = *options.budget_boxes;
@@ -129,6 +68,87 @@ Budget budget_of(const FeelOptions& options) {
     }
     return budget;
 }
+
+/// The rows of a run, stepped through the production code. With a shape in the hand, its angles and
+/// its torque follow the columns of a point.
+class Feeling {
+  public:
+    Feeling(const Scene& scene, const ProbeShape* shape, const FeelOptions& options,
+            const DeviceProfile& profile, const std::vector<HandRow>& hand)
+        : scene_(scene), options_(options), hand_(hand), rendering_(profile, period_of(hand)) {
+        rendering_.begin(&scene, options.contact.radius_m,
+                         shape == nullptr ? HeldProbe{} : HeldProbe{shape, &proxy_});
+        bound_level();
+    }
+
+    std::string run() {
+        fmt::memory_buffer out;
+        const bool has_shape = rendering_.holds_shape();
+        fmt::format_to(
+            std::back_inserter(out),
+            "t_s,x_m,y_m,proxy_x_m,proxy_y_m,fx_N,fy_N,state,level,outline,parameter,side,"
+            "transitions,carried_m,nodes,clear{}{}\n",
+            has_shape ? ",angle_rad,proxy_angle_rad,torque_Nm" : "",
+            options_.with_timing ? ",step_ns" : "");
+        for (std::size_t i = 0; i < hand_.size(); ++i) {
+            const std::int64_t begin_ns = options_.with_timing ? steady_now_ns() : 0;
+            const Rendered rendered = step(i);
+            const std::int64_t step_ns = options_.with_timing ? steady_now_ns() - begin_ns : 0;
+            write_row(out, hand_[i], rendered.contact);
+            if (has_shape)
+                fmt::format_to(std::back_inserter(out), ",{},{},{}", hand_[i].angle_rad,
+                               rendered.angle_rad, rendered.twist_Nm);
+            if (options_.with_timing) fmt::format_to(std::back_inserter(out), ",{}", step_ns);
+            out.push_back('\n');
+        }
+        return fmt::to_string(out);
+    }
+
+  private:
+    Rendered step(std::size_t row) {
+        const HandRow& hand = hand_[row];
+        const ProbePose handle{hand.p_WH.x, hand.p_WH.y, hand.angle_rad};
+        const double dt_s = row > 0 ? hand.t_s - hand_[row - 1].t_s : first_period_s;
+        const double level = wanted_level(handle, dt_s);
+        if (row == 0) rendering_.place(handle, level);
+        const bool is_placed_only = row == 0 && !rendering_.holds_shape();
+        const Rendered rendered = is_placed_only ? place_point(handle.place(), level)
+                                                 : rendering_.step(handle, level, options_.contact,
+                                                                   budget_of(options_), dt_s);
+        bound_level();
+        return rendered;
+    }
+
+    /// The first row of a point: the proxy is at the handle, free. On a line it is beside it, by
+    /// the contact skin.
+    Rendered place_point(Position handle, double level) {
+        Rendered placed;
+        placed.contact.p_WP = rendering_.proxy();
+        placed.contact.force =
+            along<Force>(placed.contact.p_WP - handle, options_.contact.stiffness_N_per_m);
+        placed.contact.level = level;
+        rendering_.skip_step();
+        return placed;
+    }
+
+    double wanted_level(const ProbePose& handle, double dt_s) {
+        if (options_.level)
+            return std::min(*options_.level, static_cast<double>(scene_.curves.coarsest()));
+        rendering_.measure_speed(handle, dt_s);
+        return rendering_.level();
+    }
+
+    /// Whatever the operator set, and as the work of the last row asks.
+    void bound_level() { rendering_.bound_level(LevelLimits{}.finest, LevelLimits{}.coarsest); }
+
+    const Scene& scene_;
+    const FeelOptions& options_;
+    const std::vector<HandRow>& hand_;
+    ProbeProxy proxy_;
+    Rendering rendering_;
+};
+
+}  // namespace
 
 Result<void> run_feel(const FeelOptions& options) {
     const auto profile = find_profile(options.profile);
@@ -144,13 +164,13 @@ Result<void> run_feel(const FeelOptions& options) {
             return build_scene(map, curves, options.contact.radius_m);
         });
     if (!scene) return tl::unexpected(scene.error());
-    if (has_shape) {
-        const auto shape = load_shape(options);
-        if (!shape) return tl::unexpected(shape.error());
-        const LevelLimits limits = limits_of(*scene, *profile, options.contact.radius_m);
-        return write_whole_file(options.output, feel_shape(*scene, *shape, options, limits, *hand));
-    }
-    return write_whole_file(options.output, Feeling(*scene, options, *profile).run(*hand));
+    if (!has_shape)
+        return write_whole_file(options.output,
+                                Feeling(*scene, nullptr, options, *profile, *hand).run());
+    return load_shape(options).and_then([&](const ProbeShape& shape) {
+        return write_whole_file(options.output,
+                                Feeling(*scene, &shape, options, *profile, *hand).run());
+    });
 }
 
 }  // namespace touchline

@@ -7,7 +7,7 @@
 #include "app/models/picture_network_files.h"
 #include "app/trace/own_map.h"
 #include "app/trace/page_views.h"
-#include "config/types/map_limits.h"
+#include "config/types/map_bytes.h"
 
 #include <algorithm>
 #include <cctype>

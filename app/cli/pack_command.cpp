@@ -1,10 +1,9 @@
-#include "app/cli/pack_command.h"
-
+#include "app/cli/commands.h"
 #include "app/packs/pack_check.h"
 #include "app/packs/pack_export.h"
 #include "app/packs/pack_library.h"
 #include "audio-cues/words/language.h"
-#include "config/types/plain_line.h"
+#include "config/types/utf8.h"
 
 #include <algorithm>
 #include <ostream>

@@ -1,11 +1,10 @@
-#include "app/cli/replay_command.h"
-
+#include "app/cli/commands.h"
+#include "app/cli/hand_csv.h"
 #include "app/cli/load.h"
-#include "app/cli/names.h"
 #include "app/decode/files.h"
 #include "app/gallery/gallery.h"
 #include "app/servo/scene_order.h"
-#include "haptics/servo/replay.h"
+#include "haptics/servo/recording.h"
 
 #include <algorithm>
 #include <iterator>

@@ -1,10 +1,9 @@
-#include "app/cli/settings_command.h"
-
+#include "app/cli/commands.h"
 #include "app/decode/files.h"
 #include "app/operator/settings_files.h"
 #include "app/sound/catalogues.h"
 #include "config/settings/settings_text.h"
-#include "config/types/plain_line.h"
+#include "config/types/utf8.h"
 
 #include <algorithm>
 #include <filesystem>

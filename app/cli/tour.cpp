@@ -6,7 +6,7 @@
 #include "app/screen/tour_figure.h"
 #include "app/servo/scene_order.h"
 #include "app/session/proxy_radius.h"
-#include "config/types/plain_line.h"
+#include "config/types/utf8.h"
 #include "haptics/device/simulated_pantograph.h"
 #include "haptics/servo/servo_step.h"
 
@@ -40,10 +40,10 @@ Felt felt_by(const ServoReport& report, const Scene& scene) {
     const HandState& hand = report.hand;
     const bool is_there = hand.map_version == scene.map_version;
     const bool is_live = report.force.state == ForceState::live;
-    const Rendering rendering = !is_there ? Rendering::off
-                                : is_live ? Rendering::on
-                                          : Rendering::changing;
-    return {hand.p_WP, hand.force, hand.state != ContactState::free, rendering};
+    const MapForce map_force = !is_there ? MapForce::off
+                               : is_live ? MapForce::on
+                                         : MapForce::changing;
+    return {hand.p_WP, hand.force, hand.state != ContactState::free, map_force};
 }
 
 void add_figures(TourRun& run) {
@@ -99,7 +99,7 @@ TourRun take_tour(const TactileMap& map, const Scene& scene) {
     SimulatedPantograph device(profile, SimulationOptions{}, hand);
     ServoStep servo(profile, period_s);
     ServoCommands commands;
-    commands.radius_m = proxy_radius_m;
+    commands.contact.radius_m = proxy_radius_m;
     TourRun run;
     run.period_s = period_s;
     run.outlines = static_cast<int>(map.outlines.size());
@@ -122,7 +122,7 @@ TourRun take_tour(const TactileMap& map, const Scene& scene) {
 std::vector<std::string> describe_tour(const TourRun& run) {
     const double time_s = run.period_s * static_cast<double>(run.ticks.size());
     const double share = time_s > 0.0 ? 100.0 * run.contact_s / time_s : 0.0;
-    const ServoCommands settings;
+    const ContactSettings settings;
     return {
         fmt::format("A pen grip explored {} of {} outlines in {:.1f} s, at {:.0f} mm/s along them.",
                     run.visited, run.outlines, time_s, 1000.0 * ExplorerOptions{}.follow_m_per_s),

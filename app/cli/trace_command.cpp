@@ -1,5 +1,4 @@
-#include "app/cli/trace_command.h"
-
+#include "app/cli/commands.h"
 #include "app/cli/json.h"
 #include "app/decode/files.h"
 #include "app/decode/map_svg.h"

@@ -83,13 +83,14 @@ void KioskHandle::follow_motor_test() {
 
 void KioskHandle::set_servo() {
     ServoCommands commands;
-    commands.mode = feel_.mode;
-    commands.stiffness_N_per_m =
+    ContactSettings& contact = commands.contact;
+    contact.mode = feel_.mode;
+    contact.stiffness_N_per_m =
         stiffness_steps.at(feel_.stiffness).share * settings_.stiffness_N_per_m;
-    commands.radius_m = proxy_radius_m;
-    commands.pop_through_N = settings_.has_pop_through ? settings_.pop_through_N : 0.0;
-    commands.friction = settings_.friction;
-    commands.capture_m = settings_.capture_mm / 1000.0;
+    contact.radius_m = proxy_radius_m;
+    contact.pop_through_N = settings_.has_pop_through ? settings_.pop_through_N : 0.0;
+    contact.friction = settings_.friction;
+    contact.capture_m = settings_.capture_mm / 1000.0;
     commands.finest_level = settings_.finest_level;
     commands.coarsest_level = settings_.coarsest_level;
     commands.is_level_auto = settings_.is_level_automatic;

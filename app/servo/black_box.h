@@ -3,7 +3,7 @@
 // Threads: all calls from one thread; it writes on another.
 #pragma once
 
-#include "config/types/force_status.h"
+#include "config/types/hand_state.h"
 #include "config/types/result.h"
 #include "haptics/servo/recording.h"
 

@@ -1,9 +1,16 @@
 #include "app/servo/messages.h"
 
+#include "config/types/map_bytes.h"
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstddef>
 #include <cstring>
+#include <exception>
+#include <new>
+#include <string>
+#include <utility>
 
 #include <sys/socket.h>
 #include <sys/uio.h>
@@ -29,7 +36,35 @@ bool is_known(const Message& message) {
     return message.kind <= MessageKind::done && message.line_bytes <= sizeof message.line;
 }
 
+constexpr std::size_t most_map_bytes = std::size_t{64} << 20U;
+
 }  // namespace
+
+Result<SharedRegion> SharedRegion::create() {
+    auto memory = memory_of_size(sizeof(ServoRegion));
+    if (!memory) return tl::unexpected(memory.error());
+    auto mapping = map_shared(*memory);
+    if (!mapping) return tl::unexpected(mapping.error());
+    new (mapping->start()) ServoRegion;
+    return SharedRegion(std::move(*memory), std::move(*mapping));
+}
+
+Result<SharedRegion> SharedRegion::open(const Descriptor& descriptor) {
+    if (fixed_size(descriptor) != sizeof(ServoRegion)) {
+        return failure("the memory shared with the kiosk is not what this servo knows");
+    }
+    auto mapping = map_shared(descriptor);
+    if (!mapping) return tl::unexpected(mapping.error());
+    const auto& region = *static_cast<const ServoRegion*>(mapping->start());
+    if (region.mark != ServoRegion::known_mark || region.bytes != sizeof(ServoRegion)) {
+        return failure("the memory shared with the kiosk is not what this servo knows");
+    }
+    return SharedRegion(Descriptor{}, std::move(*mapping));
+}
+
+ServoChannel& SharedRegion::channel() const {
+    return static_cast<ServoRegion*>(mapping_.start())->channel;
+}
 
 Message message_of(MessageKind kind, std::string_view line) {
     Message message;
@@ -136,6 +171,22 @@ ReceiveStatus receive(const Descriptor& socket, Arrival& arrival) {
     if (!is_whole || !is_known(message)) return ReceiveStatus::gone;
     arrival.message = message;
     return ReceiveStatus::received;
+}
+
+Result<BuiltScene> scene_of(const Arrival& arrival) {
+    try {
+        const auto memory = map_sealed(arrival.attached, most_map_bytes);
+        if (!memory) return tl::unexpected(memory.error());
+        const auto map = map_of(memory->bytes());
+        if (!map) return tl::unexpected(map.error());
+        auto scene = build_scene(*map, arrival.message.scene);
+        if (!scene) return tl::unexpected(scene.error());
+        return BuiltScene{
+            std::make_shared<const Scene>(std::move(*scene)),
+            {map->version, line_of(arrival.message), arrival.message.scene.detail, hash_of(*map)}};
+    } catch (const std::exception& problem) {
+        return failure(std::string("the scene cannot be built: ") + problem.what());
+    }
 }
 
 }  // namespace touchline

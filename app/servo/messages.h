@@ -1,21 +1,54 @@
-// The few messages that kiosk and servo exchange over their socket: whole packets of one size, with
-// at most one descriptor. Everything fast goes through the shared region instead.
-// Threads: any; one at a time for each socket's side.
+// What kiosk and servo exchange: a few messages over their socket, whole packets of one size with
+// at most one descriptor; and the memory that they share, for everything fast, which nobody can
+// truncate under a reader. Threads: values; a socket's side and a region by one thread at a time.
 #pragma once
 
+#include "app/process/memory.h"
 #include "app/servo/scene_order.h"
-#include "app/servo/shared_region.h"
 #include "config/types/calibration.h"
 #include "config/types/result.h"
+#include "haptics/collision/scene.h"
 #include "haptics/device/usb_node.h"
+#include "haptics/servo/exchange.h"
+#include "haptics/servo/recording.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 
 namespace touchline {
+
+/// What kiosk and servo share for as long as one servo process lives.
+struct ServoRegion {
+    static constexpr std::uint64_t known_mark = 0x31'6f'76'72'65'73'6c'74;  // "tlservo1"
+
+    std::uint64_t mark = known_mark;
+    std::uint64_t bytes = sizeof(ServoRegion);  // differs in a program built from other sources
+    ServoChannel channel;
+};
+
+/// One side's view of the region.
+class SharedRegion {
+  public:
+    /// Creates a region: the kiosk's side.
+    [[nodiscard]] static Result<SharedRegion> create();
+    /// Opens the servo's side. Fails for anything that create() did not make.
+    [[nodiscard]] static Result<SharedRegion> open(const Descriptor& descriptor);
+
+    [[nodiscard]] ServoChannel& channel() const;
+
+    [[nodiscard]] const Descriptor& descriptor() const { return descriptor_; }
+
+  private:
+    SharedRegion(Descriptor descriptor, Mapping mapping)
+        : descriptor_(std::move(descriptor)), mapping_(std::move(mapping)) {}
+
+    Descriptor descriptor_;  // only on the side that created it
+    Mapping mapping_;
+};
 
 /// region: the memory to share; comes before everything but words. scene: a map to be felt; the
 /// line is its file in the gallery, if it has one. hold, keep, forget: the last minute stays in
@@ -98,5 +131,14 @@ enum class ReceiveStatus : std::uint8_t { received, none, gone };
 
 /// Never waits.
 [[nodiscard]] ReceiveStatus receive(const Descriptor& socket, Arrival& arrival);
+
+struct BuiltScene {
+    std::shared_ptr<const Scene> scene;
+    RecordedMap recorded;
+};
+
+/// Builds the scene of a message of the kind scene. Fails with one line if its memory is not
+/// sealed, is over 64 MiB, or holds no map that can be felt. O(N log N).
+[[nodiscard]] Result<BuiltScene> scene_of(const Arrival& arrival);
 
 }  // namespace touchline

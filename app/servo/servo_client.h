@@ -10,7 +10,6 @@
 #include "config/types/tactile_map.h"
 #include "haptics/collision/scene.h"
 #include "haptics/servo/exchange.h"
-#include "haptics/servo/lateness.h"
 #include "haptics/servo/real_time.h"
 #include "haptics/servo/recording.h"
 

@@ -6,7 +6,6 @@
 
 #include "app/servo/messages.h"
 #include "app/servo/servo_client.h"
-#include "app/servo/shared_region.h"
 #include "haptics/servo/exchange.h"
 
 #include <atomic>

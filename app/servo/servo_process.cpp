@@ -1,9 +1,7 @@
 #include "app/servo/servo_process.h"
 
-#include "app/servo/restart.h"
 #include "app/servo/running_servo.h"
 #include "app/servo/servo_connection.h"
-#include "app/servo/servo_watch.h"
 #include "config/types/steady_clock.h"
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 namespace touchline {
 
@@ -22,6 +23,15 @@ enum class PaletteName : std::uint8_t {
     black_on_white,
     yellow_on_black,
     low_glare_grey
+};
+
+/// The language in which a text is wanted, tagged as BCP 47 and SVG's xml:lang do: "en", "de",
+/// "pt-BR". Any text is a tag: a language without texts gets what exists. Empty means English. The
+/// tag comes from the person who chose a language, never from the process's locale.
+struct LanguageTag {
+    std::string text = "en";
+
+    friend bool operator==(const LanguageTag&, const LanguageTag&) = default;
 };
 
 }  // namespace touchline

@@ -10,9 +10,11 @@
 //     }
 //
 // ByteWriter and ByteReader convert them to bytes and back: little-endian, one field after the
-// other. FieldCheck checks whether each is in its range. Threads: plain values.
+// other. FieldCheck checks whether each is in its range, FieldEnd whether none was forgotten.
+// Threads: plain values.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -219,5 +221,44 @@ template <class Record, class FieldsOf>
     fields(check, record);
     return bytes.is_good() && check.is_sound();
 }
+
+/// Where a flat record of numbers, choices and flags ends in memory if its fields are all of its
+/// members, in their order: at its size.
+class FieldEnd {
+  public:
+    template <Number T>
+    constexpr void number(const T& /*any*/) {
+        add<T>();
+    }
+
+    template <Number T>
+    constexpr void number(const T& /*any*/, std::type_identity_t<T> /*least*/,
+                          std::type_identity_t<T> /*most*/) {
+        add<T>();
+    }
+
+    template <Choice T>
+    constexpr void choice(const T& /*any*/, T /*last*/) {
+        add<T>();
+    }
+
+    constexpr void flag(const bool& /*any*/) { add<bool>(); }
+
+    [[nodiscard]] constexpr std::size_t bytes() const { return rounded(end_, widest_); }
+
+  private:
+    static constexpr std::size_t rounded(std::size_t bytes, std::size_t to) {
+        return (bytes + to - 1) / to * to;
+    }
+
+    template <class T>
+    constexpr void add() {
+        end_ = rounded(end_, alignof(T)) + sizeof(T);
+        widest_ = std::max(widest_, alignof(T));
+    }
+
+    std::size_t end_ = 0;
+    std::size_t widest_ = 1;
+};
 
 }  // namespace touchline

@@ -1,13 +1,21 @@
-// What the kiosk asks of a handle that leads the hand, and what it reports back.
+// How the handle leads the hand and how it speaks: what the kiosk asks, and what comes back.
 // Threads: plain values; handed over with the servo's commands and its report.
 #pragma once
 
-#include "config/types/handle_pattern.h"
 #include "config/types/vec2.h"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace touchline {
+
+/// What the handle can say to a visitor who neither sees nor hears: short shakes that differ.
+/// focus: another item. chosen: it was taken. error: that is not possible. edge: the end of a list
+/// or of the drawing area. time_out: the session ends soon. How each one feels:
+/// haptics/guidance/pattern.h.
+enum class HandlePattern : std::uint8_t { none, focus, chosen, error, edge, time_out };
+
+inline constexpr std::size_t handle_pattern_count = 6;
 
 /// none: leads nowhere, and stops the present guidance. tour: along outlines, from start to end.
 /// to_place: straight to a place. to_line: to the nearest point of any outline.

@@ -1,7 +1,10 @@
-// A key as pressed, independent of any window system. Threads: constants.
+// A key as pressed, independent of any window system, and what a key means. Threads: constants.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 namespace touchline {
 
@@ -50,5 +53,15 @@ enum class Key : std::uint32_t {
     volume_down,
     mute,
 };
+
+/// Each role means the same everywhere (accessibility IN-1, IN-2). The first six reach everything.
+enum class KeyRole : std::uint8_t { up, down, back, repeat, select, help, louder, softer };
+
+inline constexpr std::size_t key_role_count = 8;
+inline constexpr std::size_t needed_role_count = 6;  // up ... help
+
+/// Names in files, in the order of KeyRole.
+inline constexpr std::array<std::string_view, key_role_count> key_role_names{
+    "up", "down", "back", "repeat", "select", "help", "louder", "softer"};
 
 }  // namespace touchline

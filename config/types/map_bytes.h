@@ -15,11 +15,35 @@
 
 #include <cstddef>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace touchline {
 
-/// Fails, with one line, for a map beyond its limits (map_limits.h): with a number that is not
+/// What a sound map may hold, for both its giver and its taker.
+struct MapLimits {
+    static constexpr std::size_t outlines = 50'000;
+    static constexpr std::size_t labels = 10'000;
+    static constexpr std::size_t points = 1'000'000;      // of all outlines together
+    static constexpr std::size_t text_bytes = 4'000'000;  // of all texts together
+    static constexpr double area_m = 1.0;                 // either side, > 0
+    static constexpr double place_m = 1.0;                // either coordinate, +-
+    static constexpr double least_weight = 1e-9;
+    static constexpr double most_weight = 1e9;
+    static constexpr int most_detail = 5;  // from 1
+};
+
+/// Returns the number of points of all outlines. O(outlines).
+[[nodiscard]] std::size_t point_count(const TactileMap& map);
+
+/// Returns the number of bytes of all texts. O(outlines + labels).
+[[nodiscard]] std::size_t text_bytes(const TactileMap& map);
+
+/// Returns in a few words how the map breaks config/types/tactile_map.h or a limit; empty if it is
+/// sound. Does not look into texts. O(n log n) for the ids.
+[[nodiscard]] std::string_view fault_of(const TactileMap& map);
+
+/// Fails, with one line, for a map beyond its limits: with a number that is not
 /// finite, an outline of fewer than two points, or an id that appears twice. Bytes of a text that
 /// are not UTF-8 become '?'. O(n log n) for the ids.
 [[nodiscard]] Result<std::vector<std::byte>> bytes_of(const TactileMap& map);

@@ -2,6 +2,7 @@
 // passed through, and the energy that a moving wall may spend. Threads: plain values.
 #pragma once
 
+#include "config/types/fields.h"
 #include "config/types/hand_state.h"
 #include "config/types/vec2.h"
 #include "haptics/curve/curve_set.h"
@@ -12,15 +13,38 @@
 
 namespace touchline {
 
+/// How lines feel, from the operator to the law of contact, within the ranges in contact_fields().
 struct ContactSettings {
     Mode mode = Mode::wall;
-    double stiffness_N_per_m = 500.0;  // K, 0 < K <= 20000
-    double friction = 0.0;             // mu of the Coulomb cone, 0 ... 1
-    double radius_m = 0.0;             // of the proxy, 0 ... 0.02
-    double capture_m = 0.003;          // w, half width of groove and ridge, > 0
+    double stiffness_N_per_m = 500.0;  // K; the servo ramps its rises
+    double friction = 0.0;             // mu of the Coulomb cone along a line
+    double radius_m = 0.0;             // of the proxy, at most the scene's
+    double capture_m = 0.003;          // w, half width of groove and ridge
     double pop_through_N = 0.0;        // push that a wall gives way to; 0: none does
     double pop_through_s = 0.3;        // how long it must last
+
+    friend bool operator==(const ContactSettings&, const ContactSettings&) = default;
 };
+
+template <class Fields, class Settings>
+constexpr void contact_fields(Fields& f, Settings& s) {
+    f.choice(s.mode, Mode::stay);
+    f.number(s.stiffness_N_per_m, 1e-9, most_stiffness_N_per_m);
+    f.number(s.friction, 0.0, 1.0);
+    f.number(s.radius_m, 0.0, 0.02);
+    f.number(s.capture_m, 1e-9, 0.1);
+    f.number(s.pop_through_N, 0.0, 100.0);
+    f.number(s.pop_through_s, 0.0, 100.0);
+}
+
+static_assert(
+    [] {
+        constexpr ContactSettings any;
+        FieldEnd end;
+        contact_fields(end, any);
+        return end.bytes();
+    }() == sizeof(ContactSettings),
+    "contact_fields() must name every member in its order");
 
 /// Coulomb's cone: how far along a line a pull may reach and not move what it presses on the line
 /// to this depth, in the unit of the depth.

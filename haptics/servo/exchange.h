@@ -4,12 +4,11 @@
 
 #include "config/types/contact_event.h"
 #include "config/types/fields.h"
-#include "config/types/force_status.h"
 #include "config/types/guidance.h"
 #include "config/types/hand_state.h"
 #include "haptics/collision/scene.h"
+#include "haptics/contact/proxy_state.h"
 #include "haptics/safety/force_chain.h"
-#include "haptics/servo/lateness.h"
 #include "haptics/servo/real_time.h"
 
 #include <array>
@@ -111,16 +110,10 @@ class EventRing {
 
 /// What the operator and the session set, within the ranges in command_fields().
 struct ServoCommands {
-    Mode mode = Mode::wall;
-    double stiffness_N_per_m = 500.0;  // rises are ramped
-    double friction = 0.0;             // Coulomb friction along a line
-    double radius_m = 0.0;             // proxy's radius, at most the scene's
-    double capture_m = 0.003;          // half width of groove and ridge
-    double pop_through_N = 0.0;        // push that a wall gives way to; 0: walls never give way
-    double pop_through_s = 0.3;        // how long that push must last
-    bool is_level_auto = true;         // by the speed of the hand
-    double level = 0.0;                // fixed level where not automatic; may be fractional
-    double finest_level = 0.0;         // the operator's bounds of the automatic level
+    ContactSettings contact;
+    bool is_level_auto = true;  // by the speed of the hand
+    double level = 0.0;         // fixed level where not automatic; may be fractional
+    double finest_level = 0.0;  // the operator's bounds of the automatic level
     double coarsest_level = 16.0;
     bool is_force_wanted = true;       // false: off, at once
     bool is_emergency_stop = false;    // as long as it is pressed
@@ -139,13 +132,7 @@ template <class Fields, class Commands>
 void command_fields(Fields& f, Commands& c) {
     constexpr double most_level = 64.0;
     constexpr double most_turn_rad = 1e4;
-    f.choice(c.mode, Mode::stay);
-    f.number(c.stiffness_N_per_m, 1e-9, most_stiffness_N_per_m);
-    f.number(c.friction, 0.0, 1.0);
-    f.number(c.radius_m, 0.0, 0.02);
-    f.number(c.capture_m, 1e-9, 0.1);
-    f.number(c.pop_through_N, 0.0, 100.0);
-    f.number(c.pop_through_s, 0.0, 100.0);
+    contact_fields(f, c.contact);
     f.flag(c.is_level_auto);
     f.number(c.level, 0.0, most_level);
     f.number(c.finest_level, 0.0, most_level);
@@ -167,6 +154,9 @@ void command_fields(Fields& f, Commands& c) {
     f.choice(c.shape, HeldShape::key);
     f.number(c.turn_rad, -most_turn_rad, most_turn_rad);
 }
+
+// Name every member in command_fields(); otherwise a recorded run cannot be repeated.
+static_assert(sizeof(ServoCommands) == sizeof(ContactSettings) + 120);
 
 /// What the servo publishes every tick.
 struct ServoReport {

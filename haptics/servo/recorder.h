@@ -3,7 +3,6 @@
 // Threads: the servo's pushes; others read while it rests or while the recorder is held.
 #pragma once
 
-#include "config/types/force_status.h"
 #include "config/types/hand_state.h"
 #include "config/types/vec2.h"
 #include "haptics/servo/servo_step.h"

@@ -3,13 +3,14 @@
 #include "config/types/fields.h"
 
 #include <algorithm>
+#include <map>
+#include <string>
 #include <string_view>
 
 namespace touchline {
 namespace {
 
 constexpr std::string_view magic = "TLBLACK\n";
-constexpr std::uint32_t layout = 3;
 constexpr std::uint64_t most_maps = 10'000;
 constexpr std::uint64_t most_start_bytes = 1 << 20;
 
@@ -33,8 +34,8 @@ class Hash {
     std::uint64_t value_ = 0xcbf29ce484222325U;
 };
 
-// Name every field added to one of these in its list of fields; otherwise a run cannot be repeated.
-static_assert(sizeof(ServoCommands) == 176 && sizeof(StepInput) == 256);
+// Name every member added in tick() or command_fields(); otherwise a run cannot be repeated.
+static_assert(sizeof(StepInput) == sizeof(ServoCommands) + 80);
 
 template <class Bytes, class Vector>
 void vector(Bytes& bytes, Vector& v) {
@@ -42,30 +43,20 @@ void vector(Bytes& bytes, Vector& v) {
     bytes.number(v.y);
 }
 
-void angles(ByteWriter& bytes, const std::optional<JointAngles>& angles) {
-    bytes.flag(angles.has_value());
-    vector(bytes, angles ? *angles : JointAngles{});
+template <class T, class Field>
+void optional(ByteWriter& bytes, const std::optional<T>& value, Field field) {
+    bytes.flag(value.has_value());
+    const T told = value.value_or(T{});
+    field(bytes, told);
 }
 
-void angles(ByteReader& bytes, std::optional<JointAngles>& angles) {
+template <class T, class Field>
+void optional(ByteReader& bytes, std::optional<T>& value, Field field) {
     bool is_there = false;
-    JointAngles told;
+    T told{};
     bytes.flag(is_there);
-    vector(bytes, told);
-    if (is_there) angles = told;
-}
-
-void angle(ByteWriter& bytes, const std::optional<double>& angle_rad) {
-    bytes.flag(angle_rad.has_value());
-    bytes.number(angle_rad.value_or(0.0));
-}
-
-void angle(ByteReader& bytes, std::optional<double>& angle_rad) {
-    bool is_there = false;
-    double told_rad = 0.0;
-    bytes.flag(is_there);
-    bytes.number(told_rad);
-    if (is_there) angle_rad = told_rad;
+    field(bytes, told);
+    if (is_there) value = told;
 }
 
 /// A tick's outputs.
@@ -95,8 +86,8 @@ template <class Bytes, class Tick>
 void tick(Bytes& bytes, Tick& t) {
     bytes.number(t.input.now_s);
     bytes.number(t.input.missed_ticks);
-    angles(bytes, t.input.angles);
-    angle(bytes, t.input.handle_rad);
+    optional(bytes, t.input.angles, [](auto& f, auto& angles) { vector(f, angles); });
+    optional(bytes, t.input.handle_rad, [](auto& f, auto& angle_rad) { f.number(angle_rad); });
     command_fields(bytes, t.input.commands);
     bytes.number(t.input.delay_s);
     bytes.number(t.input.force_share);
@@ -121,6 +112,12 @@ std::size_t bytes_per_tick() {
     return writer.bytes().size();
 }
 
+/// The number of the layout follows from the fields of a tick. Number 3 had this many bytes.
+std::uint32_t layout() {
+    constexpr std::size_t bytes_of_3 = 338;
+    return static_cast<std::uint32_t>(3 + bytes_per_tick() - bytes_of_3);
+}
+
 bool is_gallery(const std::vector<RecordedMap>& maps, std::uint64_t version) {
     return version == 0 || std::any_of(maps.begin(), maps.end(), [version](const RecordedMap& m) {
                return m.version == version && !m.gallery_file.empty();
@@ -137,6 +134,28 @@ bool can_run_again(const Recording& recording, const Recorder::Start& start) {
 
 tl::unexpected<Error> refused(std::string_view why) {
     return failure("this is no recording that can be read: " + std::string(why));
+}
+
+using SceneOf = std::function<Result<std::shared_ptr<const Scene>>(std::uint64_t version)>;
+
+/// Every scene that the ticks name, by version; 0 means no scene.
+using Scenes = std::map<std::uint64_t, std::shared_ptr<const Scene>>;
+
+Result<Scenes> scenes_of(const Recording& recording, const SceneOf& scene_of) {
+    Scenes scenes{{0, nullptr}};
+    const auto add = [&](std::uint64_t version) -> Result<void> {
+        if (scenes.contains(version)) return {};
+        auto scene = scene_of(version);
+        if (!scene) return tl::unexpected(scene.error());
+        scenes.emplace(version, std::move(*scene));
+        return {};
+    };
+    if (auto added = add(recording.start_version); !added) return tl::unexpected(added.error());
+    for (std::size_t i = recording.start_tick; i < recording.ticks.size(); ++i) {
+        auto added = add(recording.ticks[i].wanted_version);
+        if (!added) return tl::unexpected(added.error());
+    }
+    return scenes;
 }
 
 }  // namespace
@@ -180,7 +199,7 @@ Recording make_recording(const Recorder& recorder, std::string profile,
 std::vector<std::byte> encode(const Recording& recording) {
     ByteWriter bytes;
     bytes.raw(magic);
-    bytes.number(layout);
+    bytes.number(layout());
     bytes.text<std::uint8_t>(recording.profile);
     bytes.number(std::uint64_t{recording.maps.size()});
     for (const RecordedMap& m : recording.maps) map(bytes, m);
@@ -197,7 +216,7 @@ std::vector<std::byte> encode(const Recording& recording) {
 Result<Recording> decode(std::span<const std::byte> all) {
     ByteReader bytes(all);
     if (bytes.raw_text(magic.size()) != magic) return refused("it does not begin like one");
-    if (bytes.number<std::uint32_t>() != layout)
+    if (bytes.number<std::uint32_t>() != layout())
         return refused("it was written by another version of touchline");
     constexpr std::size_t checksum_bytes = sizeof(std::uint64_t);
     if (bytes.left() < checksum_bytes ||
@@ -235,6 +254,40 @@ bool came_out_same(const TickRecord& a, const TickRecord& b) {
     outputs(of_a, a);
     outputs(of_b, b);
     return of_a.bytes() == of_b.bytes();
+}
+
+Result<Replay> run_again(const Recording& recording, const SceneOf& scene_of) {
+    if (recording.start.empty()) {
+        return failure(
+            "the recording cannot be run again: a visitor's picture was felt, of which only "
+            "inputs, outputs and a number are kept, or a shape was in the hand all the time");
+    }
+    const auto profile = find_profile(recording.profile);
+    if (!profile) return tl::unexpected(profile.error());
+    const auto scenes = scenes_of(recording, scene_of);
+    if (!scenes) return tl::unexpected(scenes.error());
+    auto step = ServoStep::from_memory(recording.start, scenes->at(recording.start_version).get(),
+                                       *profile);
+    if (!step) {
+        return failure("the recording cannot be run again: another build of touchline wrote it");
+    }
+    ShapeInHand hand;
+    step->lend(&hand);
+    Replay replay;
+    replay.first = recording.start_tick;
+    for (std::size_t i = recording.start_tick; i < recording.ticks.size(); ++i) {
+        const TickRecord& told = recording.ticks[i];
+        StepInput input = told.input;
+        input.scene = scenes->at(told.wanted_version).get();
+        if (told.is_fading_out) step->fade_out();
+        const JointTorques torques = step->step(input);
+        replay.ticks.push_back(record_of(input, *step, torques, told.is_refused));
+        if (told.is_refused) step->lose_device();
+        if (!replay.differs_at && !came_out_same(replay.ticks.back(), told)) {
+            replay.differs_at = i;
+        }
+    }
+    return replay;
 }
 
 }  // namespace touchline

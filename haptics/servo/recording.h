@@ -1,5 +1,5 @@
-// A recording of the black box as a file, which is untrusted: every byte is checked.
-// Threads: values and pure functions.
+// A recording of the black box as a file, which is untrusted: every byte is checked. And the same
+// ticks run again through the servo step. Threads: values and pure functions; run_again(): any one.
 #pragma once
 
 #include "config/types/result.h"
@@ -8,6 +8,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -57,5 +60,18 @@ struct Recording {
 
 /// Returns whether the outputs of two ticks are equal, bit for bit.
 [[nodiscard]] bool came_out_same(const TickRecord& a, const TickRecord& b);
+
+struct Replay {
+    std::size_t first = 0;                  // first tick of the recording that was run
+    std::vector<TickRecord> ticks;          // with the outputs they have now
+    std::optional<std::size_t> differs_at;  // first tick that is not the same, bit for bit
+};
+
+/// `scene_of` returns the scene of a version, built as it was then, or an error that says why it is
+/// not available. Fails with one line if the recording holds no start, or if its start comes from
+/// another build or does not fit its scene. O(ticks).
+[[nodiscard]] Result<Replay> run_again(
+    const Recording& recording,
+    const std::function<Result<std::shared_ptr<const Scene>>(std::uint64_t version)>& scene_of);
 
 }  // namespace touchline

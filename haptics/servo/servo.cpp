@@ -66,30 +66,6 @@ Result<void> Servo::start(std::unique_ptr<ForceDevice> device, const DeviceProfi
     return {};
 }
 
-void Servo::set(const ServoCommands& commands) {
-    exchange_.set(commands);
-}
-
-void Servo::feel(std::shared_ptr<const Scene> scene) {
-    exchange_.feel(std::move(scene));
-}
-
-const HandState& Servo::latest() {
-    return exchange_.report().hand;
-}
-
-ForceStatus Servo::force_status() {
-    return exchange_.report().force;
-}
-
-std::optional<ContactEvent> Servo::next_event() {
-    return exchange_.next_event();
-}
-
-std::uint64_t Servo::dropped_events() const {
-    return exchange_.dropped_events();
-}
-
 std::optional<RealTimeTier> Servo::tier() const {
     return running_ ? tier_of(exchange_.channel()) : std::nullopt;
 }
@@ -105,10 +81,6 @@ std::unique_ptr<ForceDevice> Servo::stop() {
 
 void Servo::cut() noexcept {
     if (running_) running_->end.is_cut.store(true, std::memory_order_relaxed);
-}
-
-Recorder& Servo::recording() {
-    return recorder_;
 }
 
 }  // namespace touchline

@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace touchline {
 
@@ -50,24 +51,24 @@ class Servo {
 
     /// Takes effect from the next tick on. A new radius or capture width goes through zero force,
     /// like a new scene; a new mode fades in under the hand (haptics/contact/gap_fade.h).
-    void set(const ServoCommands& commands);
+    void set(const ServoCommands& commands) { exchange_.set(commands); }
 
     /// Changes the picture: force fades to zero (<= 50 ms), the old contact is dropped, and force
     /// fades in. The servo keeps the scene alive as long as it needs it; the calling thread frees
     /// it.
-    void feel(std::shared_ptr<const Scene> scene);
+    void feel(std::shared_ptr<const Scene> scene) { exchange_.feel(std::move(scene)); }
 
     /// The newest tick's hand state; the last tick's once the servo has stopped. O(1).
-    [[nodiscard]] const HandState& latest();
+    [[nodiscard]] const HandState& latest() { return exchange_.report().hand; }
 
     /// The newest tick's force status.
-    [[nodiscard]] ForceStatus force_status();
+    [[nodiscard]] ForceStatus force_status() { return exchange_.report().force; }
 
     /// Returns the oldest event not yet read. Call it until it returns nothing, at least every few
     /// seconds: when more than 1024 wait, the newest are dropped and counted. O(1).
-    [[nodiscard]] std::optional<ContactEvent> next_event();
+    [[nodiscard]] std::optional<ContactEvent> next_event() { return exchange_.next_event(); }
 
-    [[nodiscard]] std::uint64_t dropped_events() const;
+    [[nodiscard]] std::uint64_t dropped_events() const { return exchange_.dropped_events(); }
 
     /// How well the loop keeps time; nothing while none runs.
     [[nodiscard]] std::optional<RealTimeTier> tier() const;
@@ -84,7 +85,7 @@ class Servo {
     void cut() noexcept;
 
     /// The recorded ticks. Read them while nothing runs or while the recorder is held.
-    [[nodiscard]] Recorder& recording();
+    [[nodiscard]] Recorder& recording() { return recorder_; }
 
   private:
     struct Running;

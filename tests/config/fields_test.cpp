@@ -104,5 +104,27 @@ TEST(Fields, ACheckFailsOutsideTheRangeAndForNoNumber) {
     EXPECT_FALSE(finite.is_sound());
 }
 
+struct Flat {
+    Kind kind = Kind::first;
+    double share = 0.5;
+    std::int16_t count = 0;
+    bool is_set = false;
+};
+
+TEST(Fields, AMemberThatIsNotNamedShowsAtTheEnd) {
+    const Flat flat;
+    FieldEnd whole;
+    whole.choice(flat.kind, Kind::last);
+    whole.number(flat.share, 0.0, 1.0);
+    whole.number(flat.count);
+    whole.flag(flat.is_set);
+    EXPECT_EQ(whole.bytes(), sizeof(Flat));
+    FieldEnd without_share;
+    without_share.choice(flat.kind, Kind::last);
+    without_share.number(flat.count);
+    without_share.flag(flat.is_set);
+    EXPECT_NE(without_share.bytes(), sizeof(Flat));
+}
+
 }  // namespace
 }  // namespace touchline

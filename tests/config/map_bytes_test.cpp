@@ -1,6 +1,5 @@
 #include "config/types/map_bytes.h"
 
-#include "config/types/map_limits.h"
 #include "config/types/utf8.h"
 #include "tests/config/map_samples.h"
 

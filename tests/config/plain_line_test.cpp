@@ -1,4 +1,4 @@
-#include "config/types/plain_line.h"
+#include "config/types/utf8.h"
 
 #include <gtest/gtest.h>
 

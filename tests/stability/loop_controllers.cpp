@@ -3,7 +3,6 @@
 #include "haptics/safety/force_chain.h"
 #include "haptics/servo/loop_settings.h"
 #include "haptics/servo/servo_step.h"
-#include "haptics/servo/virtual_damping.h"
 #include "tests/bench/contact/renderers.h"
 
 #include <array>
@@ -18,8 +17,8 @@ class ShippedStep final : public LoopController {
   public:
     ShippedStep(const DeviceProfile& profile, const LoopParameters& parameters, const Scene& scene)
         : servo_(profile, parameters.period_s) {
-        input_.commands.stiffness_N_per_m = parameters.stiffness_N_per_m;
-        input_.commands.radius_m = parameters.radius_m;
+        input_.commands.contact.stiffness_N_per_m = parameters.stiffness_N_per_m;
+        input_.commands.contact.radius_m = parameters.radius_m;
         input_.commands.is_level_auto = false;
         input_.scene = &scene;
     }

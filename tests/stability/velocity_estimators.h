@@ -2,7 +2,7 @@
 // Threads: plain values. No allocation.
 #pragma once
 
-#include "haptics/servo/velocity_estimate.h"
+#include "haptics/servo/handle_motion.h"
 
 #include <concepts>
 

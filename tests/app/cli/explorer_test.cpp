@@ -41,7 +41,7 @@ Felt nothing_felt(const Explorer& explorer) {
     return {explorer.intention().position,
             {},
             false,
-            explorer.is_lifted() ? Rendering::off : Rendering::on};
+            explorer.is_lifted() ? MapForce::off : MapForce::on};
 }
 
 /// Ticks until the explorer is done and returns the time; -1 if that takes longer than `limit_s`.
@@ -116,7 +116,7 @@ TEST(Explorer, GivesUpWhereNoForceComesOn) {
     Explorer explorer(map, scene, ExplorerOptions{});
     for (int tick = 0; tick < 5000 && !explorer.is_done(); ++tick) {
         Felt felt = nothing_felt(explorer);
-        if (felt.rendering == Rendering::on) felt.rendering = Rendering::changing;
+        if (felt.map_force == MapForce::on) felt.map_force = MapForce::changing;
         explorer.step(felt, dt_s);
     }
     EXPECT_TRUE(explorer.is_done());

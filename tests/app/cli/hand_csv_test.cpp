@@ -1,8 +1,6 @@
 // Tests the hand's path in tables as spreadsheets and programs write them.
 #include "app/cli/hand_csv.h"
 
-#include "app/cli/csv_table.h"
-
 #include <array>
 #include <string>
 

@@ -1,5 +1,5 @@
 // Tests touchline device, through libusb against the emulated board. Runs under umockdev-wrapper.
-#include "app/cli/device.h"
+#include "app/cli/commands.h"
 #include "app/device/board_files.h"
 #include "tests/app/device/person.h"
 #include "tests/sim/umockdev/mocked_board.h"

@@ -44,7 +44,7 @@ Pressed press(DeviceVisit& visit) {
                    exchange, recorder};
     exchange.feel(line_scene(0.0));
     ServoCommands commands;
-    commands.mode = Mode::wall;
+    commands.contact.mode = Mode::wall;
     exchange.set(commands);
     for (double now_s = 0.0; now_s < 2.5; now_s += 1e-3) {
         if (std::abs(now_s - 1.0) < 5e-4) visit.person->go(beyond, visit.rig.time.now_s);

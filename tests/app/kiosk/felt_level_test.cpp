@@ -67,7 +67,7 @@ void expect_wall_of_level(KioskWorld& world, double level) {
     for (int i = 0; i < 10 && std::abs(hand.level - level) > least_told; ++i) world.run(0.5);
     EXPECT_NEAR(hand.level, level, least_told);
     EXPECT_NE(hand.state, ContactState::free);
-    const double radius_m = world.servo().commands().radius_m;
+    const double radius_m = world.servo().commands().contact.radius_m;
     EXPECT_NEAR(distance_m(hand.p_WP, world.servo().picture().scene->curves, level), radius_m,
                 least_told);
     EXPECT_NEAR(norm(world.servo().force_on_handle_W()),

@@ -176,7 +176,7 @@ TEST(FeltStiffness, OfTheSitesFileHoldsAtOnceAndBadOnesDoNot) {
         std::ofstream(world.site_files().settings.site)
             << "[feel]\nstiffness_N_per_m = " << value << "\n";
         world.run(2.0);
-        return world.servo().commands().stiffness_N_per_m;
+        return world.servo().commands().contact.stiffness_N_per_m;
     };
     EXPECT_EQ(write("130"), 130.0);
     for (const char* bad : {"nan", "inf", "-500", "0", "99.9", "700.1", "1e300", "\"firm\""}) {

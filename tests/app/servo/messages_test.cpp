@@ -1,7 +1,7 @@
 #include "app/servo/messages.h"
 
 #include "app/servo/black_box.h"
-#include "app/servo/restart.h"
+#include "app/servo/running_servo.h"
 #include "app/servo/servo_connection.h"
 
 #include <algorithm>

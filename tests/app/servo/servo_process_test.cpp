@@ -6,7 +6,6 @@
 #include "app/servo/messages.h"
 #include "app/servo/running_servo.h"
 #include "app/servo/servo_connection.h"
-#include "app/servo/shared_region.h"
 #include "config/types/map_bytes.h"
 #include "tests/app/servo/process_rig.h"
 #include "tests/audio-cues/words/po_file.h"

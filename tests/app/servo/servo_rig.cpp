@@ -143,7 +143,7 @@ int run_usb_kiosk(const std::string& program, const std::vector<std::string>& wo
     ServoProcess servo(std::move(options));
     servo.feel(felt_line(0.045, 1));
     ServoCommands commands;
-    commands.mode = Mode::groove;
+    commands.contact.mode = Mode::groove;
     commands.has_frame = false;  // home lies beyond the drawing area
     servo.set(commands);
     MonotonicClock clock;

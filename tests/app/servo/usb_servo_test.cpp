@@ -60,7 +60,7 @@ class UsbServo : public testing::Test {
     void feel_a_pull() {
         servo_->feel(felt_line(0.045, ++version_));
         ServoCommands commands;
-        commands.mode = Mode::groove;
+        commands.contact.mode = Mode::groove;
         commands.has_frame = false;  // home lies beyond the drawing area
         servo_->set(commands);
         ASSERT_TRUE(frames_until([&] { return servo_->force_status().state == ForceState::live; }));

@@ -61,7 +61,7 @@ Result<HandRun> follow(const TactileMap& map, const std::vector<Position>& way,
                                std::make_shared<WaypointPath>(points));
     ServoStep servo(profile, tick_s);
     ServoCommands commands;
-    commands.mode = Mode::ridge;
+    commands.contact.mode = Mode::ridge;
     HandRun run;
     const auto ticks = static_cast<int>(points.back().t_s / tick_s);
     for (int i = 0; i < ticks; ++i) {

@@ -47,8 +47,8 @@ class RelaxedHand {
 
 ServoCommands commands_of(Tracing tracing) {
     ServoCommands commands;
-    commands.mode = tracing == Tracing::wall ? Mode::wall : Mode::groove;
-    commands.radius_m = tracing == Tracing::wall ? 0.0014 : 0.0;
+    commands.contact.mode = tracing == Tracing::wall ? Mode::wall : Mode::groove;
+    commands.contact.radius_m = tracing == Tracing::wall ? 0.0014 : 0.0;
     commands.is_force_wanted = tracing != Tracing::forces_off;
     return commands;
 }

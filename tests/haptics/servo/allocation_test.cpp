@@ -35,8 +35,8 @@ TEST(Tick, AllocatesNothingInAHundredThousandTicks) {
             exchange.feel(turned_wave_scene(0.0001 * k));
             constexpr std::array modes{Mode::groove, Mode::wall, Mode::ridge, Mode::wall,
                                        Mode::stay};
-            commands.mode = modes[static_cast<std::size_t>(k / 5000) % modes.size()];
-            commands.pop_through_N = 0.5;
+            commands.contact.mode = modes[static_cast<std::size_t>(k / 5000) % modes.size()];
+            commands.contact.pop_through_N = 0.5;
             commands.is_level_auto = k % 10000 == 0;
             commands.level = 1.5;
             commands.pattern = {HandlePattern::edge, commands.pattern.serial + 1};

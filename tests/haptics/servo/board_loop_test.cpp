@@ -29,7 +29,7 @@ class BoardLoop : public testing::Test {
     void feel_line() {
         exchange.feel(line_scene(0.0));
         ServoCommands commands;
-        commands.mode = Mode::wall;
+        commands.contact.mode = Mode::wall;
         exchange.set(commands);
     }
 
@@ -77,7 +77,7 @@ double shake_m_per_s(bool do_counts_step_back, int& faults) {
     ServoLoop loop{*rig.driver, profile, 1e-3, exchange, recorder};
     exchange.feel(line_scene(0.0));
     ServoCommands commands;
-    commands.mode = Mode::wall;
+    commands.contact.mode = Mode::wall;
     exchange.set(commands);
     double squares = 0.0;
     int ticks = 0;

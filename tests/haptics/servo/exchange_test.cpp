@@ -161,27 +161,32 @@ TEST(EventRing, APeerGoneMadCanNeitherLeadOutsideNorKeepTheReaderForEver) {
 TEST(ServoExchange, UnsoundCommandsChangeNothing) {
     ServoExchange exchange;
     ServoCommands sound;
-    sound.stiffness_N_per_m = 300.0;
+    sound.contact.stiffness_N_per_m = 300.0;
     exchange.set(sound);
-    EXPECT_EQ(exchange.commands().stiffness_N_per_m, 300.0);
+    EXPECT_EQ(exchange.commands().contact.stiffness_N_per_m, 300.0);
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (const double bad : {nan, std::numeric_limits<double>::infinity(), -1.0, 1e6}) {
-        for (double ServoCommands::*const field :
-             {&ServoCommands::stiffness_N_per_m, &ServoCommands::friction, &ServoCommands::radius_m,
-              &ServoCommands::capture_m, &ServoCommands::pop_through_N,
-              &ServoCommands::pop_through_s, &ServoCommands::level, &ServoCommands::finest_level,
-              &ServoCommands::coarsest_level, &ServoCommands::force_ceiling_N}) {
+        const auto is_ignored = [&exchange, bad](auto&& field) {
             ServoCommands damaged;
-            damaged.*field = bad;
+            field(damaged) = bad;
             exchange.set(damaged);
-            EXPECT_EQ(exchange.commands().stiffness_N_per_m, 300.0);
-        }
+            EXPECT_EQ(exchange.commands().contact.stiffness_N_per_m, 300.0);
+        };
+        for (double ContactSettings::*const field :
+             {&ContactSettings::stiffness_N_per_m, &ContactSettings::friction,
+              &ContactSettings::radius_m, &ContactSettings::capture_m,
+              &ContactSettings::pop_through_N, &ContactSettings::pop_through_s})
+            is_ignored([field](ServoCommands& c) -> double& { return c.contact.*field; });
+        for (double ServoCommands::*const field :
+             {&ServoCommands::level, &ServoCommands::finest_level, &ServoCommands::coarsest_level,
+              &ServoCommands::force_ceiling_N})
+            is_ignored([field](ServoCommands& c) -> double& { return c.*field; });
     }
     ServoCommands damaged;
     std::memset(&damaged.is_level_auto, 7, 1);
     EXPECT_FALSE(is_sound(damaged));
     damaged = {};
-    damaged.mode = static_cast<Mode>(9);
+    damaged.contact.mode = static_cast<Mode>(9);
     EXPECT_FALSE(is_sound(damaged));
     damaged = {};
     damaged.force_ceiling_N = 3.001;
@@ -238,13 +243,13 @@ TEST(ServoExchange, UnsoundReportsAreTold) {
 
 TEST(ServoExchange, CommandsAndReportsAreTheNewest) {
     ServoExchange exchange;
-    EXPECT_EQ(exchange.commands().stiffness_N_per_m, 500.0);
+    EXPECT_EQ(exchange.commands().contact.stiffness_N_per_m, 500.0);
     ServoCommands commands;
-    commands.stiffness_N_per_m = 300.0;
+    commands.contact.stiffness_N_per_m = 300.0;
     exchange.set(commands);
-    commands.stiffness_N_per_m = 400.0;
+    commands.contact.stiffness_N_per_m = 400.0;
     exchange.set(commands);
-    EXPECT_EQ(exchange.commands().stiffness_N_per_m, 400.0);
+    EXPECT_EQ(exchange.commands().contact.stiffness_N_per_m, 400.0);
 
     ServoReport report;
     report.hand.ticks = 12;

@@ -145,7 +145,7 @@ TEST(GuidanceLoop, ForceOffAndAnotherPictureStopIt) {
 
 TEST(GuidanceLoop, ATourThatIsAskedInAGrooveBringsForceOn) {
     Loop loop({0.0, 0.032});
-    loop.commands.mode = Mode::groove;
+    loop.commands.contact.mode = Mode::groove;
     loop.commands.is_force_wanted = false;
     loop.is_relaxed = false;
     loop.hand->stay({0.0, 0.0213});  // pulled by more than the force may begin with

@@ -1,7 +1,5 @@
 #include "haptics/servo/loop_settings.h"
 
-#include "haptics/servo/virtual_damping.h"
-
 #include <limits>
 
 #include <gtest/gtest.h>

@@ -85,7 +85,7 @@ TEST(ServoLoop, EventsReachTheOtherSideInOrder) {
     ServoExchange exchange;
     exchange.feel(line_scene(0.0));
     ServoCommands commands;
-    commands.mode = Mode::groove;
+    commands.contact.mode = Mode::groove;
     exchange.set(commands);
     Recorder recorder;
     ServoLoop loop(device, default_profile(), tick_s, exchange, recorder);

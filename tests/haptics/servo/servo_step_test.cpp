@@ -54,8 +54,8 @@ TEST(ServoStep, ReportsWhatItWasTold) {
     bench.input.scene = scene.get();
     bench.input.missed_ticks = 3;
     bench.input.commands.is_level_auto = false;
-    bench.input.commands.stiffness_N_per_m = 350.0;
-    bench.input.commands.mode = Mode::groove;
+    bench.input.commands.contact.stiffness_N_per_m = 350.0;
+    bench.input.commands.contact.mode = Mode::groove;
     const HandState& hand = bench.run(10);
     EXPECT_EQ(hand.ticks, 10U);
     EXPECT_EQ(hand.missed_ticks, 3U);
@@ -97,7 +97,7 @@ TEST(ServoStep, LevelTermsAreThoseOfSceneDeviceAndProxy) {
     const auto scene = wave_scene(0.02);
     Bench bench;
     bench.input.scene = scene.get();
-    bench.input.commands.radius_m = 0.004;
+    bench.input.commands.contact.radius_m = 0.004;
     bench.run(300);
     const LevelTerms& terms = bench.hand().level_terms;
     const double spacing_m = scene->curves.finest_spacing_m();
@@ -161,7 +161,7 @@ TEST(ServoStep, TheOperatorSetsLevelRangeAndStiffnessUnderAPressingHand) {
         commands.level = i / 250 % 4;
         commands.finest_level = i / 200 % 3;
         commands.coarsest_level = commands.finest_level + i / 350 % 3;
-        commands.stiffness_N_per_m = i / 400 % 2 == 0 ? 350.0 : 500.0;
+        commands.contact.stiffness_N_per_m = i / 400 % 2 == 0 ? 350.0 : 500.0;
         bench.place({0.003 * std::sin(0.004 * i), -0.001});
         bench.run(1);
         ASSERT_NE(bench.hand().state, ContactState::free) << i;
@@ -275,7 +275,7 @@ TEST(ServoStep, ChangeOfRadiusGoesThroughZeroForce) {
     bench.drag({0.0, 0.01}, {0.0, -0.002});
     bench.run(20);
     EXPECT_NEAR(bench.hand().force.y, 1.0, 1e-2);
-    bench.input.commands.radius_m = 0.002;
+    bench.input.commands.contact.radius_m = 0.002;
     bench.run(52);
     EXPECT_NEAR(norm(bench.hand().force), 0.0, 0.05);
     EXPECT_EQ(bench.hand().state, ContactState::free);
@@ -290,7 +290,7 @@ TEST(ServoStep, SwitchingTheModeFadesUnderTheHand) {
     bench.run(20);
     double largest_N = 0.0;
     for (const Mode mode : {Mode::groove, Mode::wall, Mode::stay, Mode::ridge, Mode::groove}) {
-        bench.input.commands.mode = mode;
+        bench.input.commands.contact.mode = mode;
         for (int i = 0; i < 150; ++i) {
             const Force before = bench.hand().force;
             bench.run(1);
@@ -322,7 +322,7 @@ TEST(ServoStep, TellsWhatHappens) {
     Bench bench = bench_above_a_line(scene);
     EXPECT_EQ(kinds_of(bench, {0.0, 0.01}, {0.0, -0.002}), std::vector{contact_made});
     EXPECT_EQ(kinds_of(bench, {0.0, -0.002}, {0.0, 0.01}), std::vector{contact_lost});
-    bench.input.commands.mode = Mode::groove;
+    bench.input.commands.contact.mode = Mode::groove;
     EXPECT_EQ(kinds_of(bench, {0.0, 0.01}, {0.0, -0.01}),
               (std::vector{contact_made, line_crossed, contact_lost}));
 }
@@ -330,7 +330,7 @@ TEST(ServoStep, TellsWhatHappens) {
 TEST(ServoStep, AWallLetsAPushThroughThatIsMeant) {
     const auto scene = line_scene(0.0);
     Bench bench = bench_above_a_line(scene);
-    bench.input.commands.pop_through_N = 1.5;
+    bench.input.commands.contact.pop_through_N = 1.5;
     bench.drag({0.0, 0.01}, {0.0, -0.004});
     int pops = 0;
     for (int i = 0; i < 600; ++i) {
@@ -356,7 +356,7 @@ double gain_after_pressing(double delay_s) {
     SimulatedPantograph device(profile, options, path);
     ServoStep step(profile, tick_s);
     ServoCommands commands;
-    commands.stiffness_N_per_m = 900.0;
+    commands.contact.stiffness_N_per_m = 900.0;
     for (int i = 0; i < 4000; ++i) {
         const StepInput input{tick_s * i, 0, device.read_angles(tick_s * i), commands, scene.get()};
         EXPECT_TRUE(device.write_torques(step.step(input)));
@@ -372,7 +372,7 @@ TEST(ServoStep, ALoopThatRingsIsSoftenedAndASoundOneIsNot) {
 /// What the loop measures of itself limits the stiffness, whatever the operator asks for.
 TEST(ServoStep, ALateLoopRendersSofterWalls) {
     Bench bench;
-    bench.input.commands.stiffness_N_per_m = 900.0;
+    bench.input.commands.contact.stiffness_N_per_m = 900.0;
     EXPECT_EQ(bench.run(1).stiffness_N_per_m, 900.0);
     bench.input.delay_s = 0.004;
     bench.run(8000);
@@ -392,24 +392,24 @@ TEST(ServoStep, ATierLeavesItsShareOfTheStiffnessAndTellsIt) {
     const HandState& hand = step.report().hand;
     EXPECT_EQ(hand.stiffness_bound.share, tier.stiffness_share);
     EXPECT_EQ(hand.stiffness_N_per_m,
-              possible_N_per_m(hand.stiffness_bound, input.commands.stiffness_N_per_m));
+              possible_N_per_m(hand.stiffness_bound, input.commands.contact.stiffness_N_per_m));
 }
 
 TEST(ServoStep, StiffnessUnderTheHandRisesSlowlyAndFreelyAtZeroForce) {
     const auto scene = line_scene(0.0);
     Bench bench = bench_above_a_line(scene);
     bench.drag({0.0, 0.01}, {0.0, -0.001});
-    bench.input.commands.stiffness_N_per_m = 900.0;
+    bench.input.commands.contact.stiffness_N_per_m = 900.0;
     bench.run(1000);
     EXPECT_NEAR(bench.hand().stiffness_N_per_m, 525.6, 0.1);
-    bench.input.commands.stiffness_N_per_m = 200.0;
+    bench.input.commands.contact.stiffness_N_per_m = 200.0;
     bench.run(1);
     EXPECT_NEAR(bench.hand().stiffness_N_per_m, 510.6, 0.1);  // 15 N/s at 1 mm
     bench.run(50);
     EXPECT_EQ(bench.hand().stiffness_N_per_m, 200.0);
 
     Bench fresh;
-    fresh.input.commands.stiffness_N_per_m = 900.0;
+    fresh.input.commands.contact.stiffness_N_per_m = 900.0;
     EXPECT_EQ(fresh.run(1).stiffness_N_per_m, 900.0);
 }
 
@@ -465,9 +465,9 @@ TEST(ServoStep, CommandsThatAreNotFiniteGiveZeroForce) {
         Bench bench = bench_above_a_line(scene);
         bench.drag({0.0, 0.01}, {0.0, -0.001});
         ServoCommands& commands = bench.input.commands;
-        if (kind == 0) commands.friction = nan;
-        if (kind == 1) commands.radius_m = nan;
-        if (kind == 2) commands.capture_m = nan;
+        if (kind == 0) commands.contact.friction = nan;
+        if (kind == 1) commands.contact.radius_m = nan;
+        if (kind == 2) commands.contact.capture_m = nan;
         if (kind == 3) {
             commands.is_level_auto = false;
             commands.level = nan;

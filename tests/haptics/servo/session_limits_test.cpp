@@ -64,7 +64,7 @@ class CourseSession {
         input.scene = &scene;
         for (int k = 0; k * tick_s < seconds; ++k) {
             input.now_s = k * tick_s;
-            input.commands.mode = static_cast<Mode>(k / 4000 % 4);
+            input.commands.contact.mode = static_cast<Mode>(k / 4000 % 4);
             input.angles = device_.read_angles(input.now_s);
             if (course_.is_wild) disturb(input);
             const JointTorques torques = step_.step(input);

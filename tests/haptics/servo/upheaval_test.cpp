@@ -39,8 +39,8 @@ class Upheaval {
   public:
     Upheaval(const std::vector<Scene>& scenes, double radius_m, unsigned seed)
         : scenes_(scenes), random_(seed) {
-        commands_.radius_m = radius_m;
-        commands_.mode = Mode::wall;
+        commands_.contact.radius_m = radius_m;
+        commands_.contact.mode = Mode::wall;
     }
 
     Changes run(int ticks) {
@@ -96,11 +96,11 @@ class Upheaval {
         if (is_due(0.05)) commands_.level = is_due(0.5) ? 8.0 * unit() : std::floor(8.0 * unit());
         if (is_due(0.01)) commands_.finest_level = std::floor(4.0 * unit());
         if (is_due(0.01)) commands_.coarsest_level = commands_.finest_level + 5.0 * unit();
-        if (is_due(0.01)) commands_.stiffness_N_per_m = 200.0 + 500.0 * unit();
-        if (is_due(0.005)) commands_.friction = is_due(0.5) ? 0.0 : 0.3 * unit();
+        if (is_due(0.01)) commands_.contact.stiffness_N_per_m = 200.0 + 500.0 * unit();
+        if (is_due(0.005)) commands_.contact.friction = is_due(0.5) ? 0.0 : 0.3 * unit();
         if (is_due(0.003)) {
             const bool is_other = is_due(0.5);
-            commands_.mode =
+            commands_.contact.mode =
                 is_other ? static_cast<Mode>(1 + static_cast<int>(3.0 * unit()) % 3) : Mode::wall;
         }
         if (is_due(0.001) || wanted_ == nullptr) {

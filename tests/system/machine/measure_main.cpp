@@ -30,7 +30,7 @@ void change(ServoExchange& exchange, int k) {
     constexpr std::array modes{Mode::groove, Mode::wall, Mode::ridge, Mode::stay};
     exchange.feel(turned_wave_scene(1e-4 * k));
     ServoCommands commands;
-    commands.mode = modes.at(static_cast<std::size_t>(k / between_scenes) % modes.size());
+    commands.contact.mode = modes.at(static_cast<std::size_t>(k / between_scenes) % modes.size());
     commands.is_level_auto = k % (2 * between_scenes) == 0;
     exchange.set(commands);
 }

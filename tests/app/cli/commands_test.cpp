@@ -1,5 +1,6 @@
-// Tests touchline settings, as a user types it.
+// Tests touchline settings and touchline models, as a user types them.
 #include "app/cli/command_line.h"
+#include "app/models/networks.h"
 #include "config/settings/settings_text.h"
 
 #include <array>
@@ -7,6 +8,8 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -20,6 +23,13 @@ struct Said {
     std::string err;
 };
 
+Said say(const std::vector<std::string>& words) {
+    std::ostringstream out;
+    std::ostringstream err;
+    const int status = run_command_line(words, {}, out, err);
+    return {status, out.str(), err.str()};
+}
+
 class SettingsCommand : public testing::Test {
   protected:
     SettingsCommand() {
@@ -29,13 +39,6 @@ class SettingsCommand : public testing::Test {
     ~SettingsCommand() override {
         ::unsetenv("TOUCHLINE_SETTINGS");  // NOLINT(concurrency-mt-unsafe)
         std::filesystem::remove(file);
-    }
-
-    static Said say(const std::vector<std::string>& words) {
-        std::ostringstream out;
-        std::ostringstream err;
-        const int status = run_command_line(words, {}, out, err);
-        return {status, out.str(), err.str()};
     }
 
     std::string file = testing::TempDir() + "touchline-site-" + std::to_string(getpid()) + ".toml";
@@ -84,6 +87,69 @@ TEST_F(SettingsCommand, EveryFaultIsALineOfItsOwn) {
         EXPECT_TRUE(told[i].starts_with(place)) << told[i];
     }
     EXPECT_NE(told[2].find("'xx'"), std::string::npos);
+}
+
+namespace fs = std::filesystem;
+
+/// The user has no network yet.
+class ModelsCommand : public ::testing::Test {
+  protected:
+    ModelsCommand() {
+        ::setenv("TOUCHLINE_MODELS", folder_.c_str(), 1);  // NOLINT(concurrency-mt-unsafe)
+    }
+
+    ~ModelsCommand() override {
+        ::unsetenv("TOUCHLINE_MODELS");  // NOLINT(concurrency-mt-unsafe)
+        fs::remove_all(folder_);
+    }
+
+    fs::path folder_ =
+        fs::path(testing::TempDir()) / ("touchline-models-" + std::to_string(::getpid()));
+};
+
+TEST_F(ModelsCommand, ListsEachWithItsJobSourceAndLicence) {
+    const Said listed = say({"models", "list"});
+    EXPECT_EQ(listed.status, 0);
+    for (const Network& network : networks()) {
+        const auto name = std::string(network.name);
+        EXPECT_NE(listed.out.find(name + ": " + std::string(network.job)), std::string::npos);
+        EXPECT_NE(
+            listed.out.find(std::string(network.package) + " " + std::string(network.version) +
+                            ", licence " + std::string(network.licence)),
+            std::string::npos);
+        const std::string where = network.ships
+                                      ? "comes with Touchline: " + installed_file(network).string()
+                                      : "not here: touchline models get " + name;
+        EXPECT_NE(listed.out.find("  " + where + "\n"), std::string::npos) << where;
+    }
+}
+
+TEST_F(ModelsCommand, ChecksWhatShipsAndWhatIsHere) {
+    const Said without = say({"models", "check"});
+    EXPECT_EQ(without.status, 0);
+    std::string expected;
+    for (const Network& network : networks())
+        expected += std::string(network.name) +
+                    (network.ships ? ": whole, in " + installed_file(network).string()
+                                   : ": not installed here") +
+                    "\n";
+    EXPECT_EQ(without.out, expected);
+
+    fs::create_directories(folder_);
+    std::ofstream(folder_ / "figure.onnx") << "damaged";
+    const Said damaged = say({"models", "check"});
+    EXPECT_EQ(damaged.status, 1);
+    EXPECT_EQ(damaged.err, "touchline: " + (folder_ / "figure.onnx").string() +
+                               ": the network is damaged, or of another version; 'touchline "
+                               "models get figure' brings it\n");
+}
+
+TEST_F(ModelsCommand, NobodyGetsWhatShips) {
+    const Said got = say({"models", "get", "nanodet", "--yes"});
+    EXPECT_EQ(got.status, 0);
+    EXPECT_EQ(got.out, "nanodet is installed already.\n");
+    EXPECT_FALSE(fs::exists(folder_));
+    EXPECT_EQ(say({"models", "get", "nobody"}).status, 1);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "haptics/servo/velocity_estimate.h"
+#include "haptics/servo/handle_motion.h"
 
 #include "tests/haptics/tick.h"
 

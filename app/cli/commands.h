@@ -1,0 +1,157 @@
+// The commands that need no display: what each is asked for, and what it does. A result file
+// appears whole or not at all; a failure is one line. Threads: one.
+#pragma once
+
+#include "app/cli/load.h"
+#include "config/types/result.h"
+#include "haptics/contact/proxy_state.h"
+#include "haptics/curve/curve_set.h"
+#include "vision/simplify/trace.h"
+
+#include <cstdint>
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace touchline {
+
+// touchline trace: writes the outlines of a picture as a map.
+
+struct TraceCommandOptions {
+    std::string input;   // a picture, whatever its name
+    std::string output;  // MAP.svg
+    std::string report;  // REPORT.json; empty: none
+    std::string edges;   // STRENGTH.png; empty: none
+    std::string figure;  // MASK.png; empty: none
+    ViewChoice view;     // of the first page
+    TraceOptions trace;
+};
+
+/// Writes the map and the other requested files, each whole or not at all. Returns one sentence
+/// worth telling the user (outlines cut to the budget), else an empty text.
+[[nodiscard]] Result<std::string> run_trace(const TraceCommandOptions& options);
+
+// touchline curve: writes the multiresolution curve of a picture or map at one level, as a map.
+
+struct CurveCommandOptions {
+    std::string input;  // picture or map
+    bool as_picture = false;
+    std::string output;  // OUT.svg
+    std::string report;  // REPORT.json; empty: none
+    double level = 0.0;
+    bool with_boxes = false;
+    CurveOptions curves;
+};
+
+/// Writes the exact polylines that `feel --level` uses, one path per piece, and the report. Files
+/// appear whole or not at all.
+[[nodiscard]] Result<void> run_curve(const CurveCommandOptions& options);
+
+// touchline feel: a recorded or computed hand moves over a map, one servo step per row. With
+// --probe, a held shape moves and turns.
+
+struct FeelOptions {
+    std::string input;  // picture or map
+    bool as_picture = false;
+    std::string path;    // HAND.csv
+    std::string output;  // RUN.csv
+    std::string probe;   // a map of the held shape; empty: a point
+    ContactSettings contact;
+    CurveOptions curves;
+    std::optional<double> level;  // none: auto
+    std::string profile = "2diy-gen3.1";
+    std::optional<int> budget_boxes;
+    std::optional<double> deadline_us;
+    bool with_timing = false;
+};
+
+/// Writes RUN.csv whole or not at all.
+[[nodiscard]] Result<void> run_feel(const FeelOptions& options);
+
+// touchline feel --replay: runs a recording of the kiosk's black box again.
+
+struct ReplayOptions {
+    std::string recording;
+    std::string output;  // RUN.csv
+};
+
+/// Writes RUN.csv whole or not at all: the ticks of this run or, if a visitor's picture was felt,
+/// the recorded ones. One sentence says which. Fails, after writing the table, if the run differs
+/// from the recording in any bit.
+[[nodiscard]] Result<std::string> run_replay(const ReplayOptions& options);
+
+// touchline device: lists boards and sets one up. SIGINT and SIGTERM end a command with zero
+// torque.
+
+/// list: shows the boards that are plugged in. probe: tells whether one answers, and how fast.
+/// home: the person leads the handle to its stops and lets go of it. This stores the scale, stops
+/// and plugs of the unit, and measures them anew if a kind is named. nudge: tells whether the
+/// motors have power and push the right way. stop: sets zero torque, whatever drove the board
+/// before.
+enum class DeviceAction : std::uint8_t { list, probe, home, nudge, stop };
+
+struct DeviceCommandOptions {
+    DeviceAction action = DeviceAction::list;
+    std::string serial;   // the unit's; empty: the only one plugged in
+    std::string profile;  // empty: as stored; a different kind discards what is stored for the unit
+};
+
+/// Writes to `out` what was found and what to do. Without a board the error says what was looked
+/// for.
+[[nodiscard]] Result<void> run_device(const DeviceCommandOptions& options, std::ostream& out);
+
+// touchline settings: checks a settings file, and prints the resulting settings.
+
+/// check: one line says that the file can be used, and how many settings it sets. print: all
+/// settings as TOML.
+enum class SettingsAction : std::uint8_t { check, print };
+
+struct SettingsCommandOptions {
+    SettingsAction action = SettingsAction::check;
+    std::string file;  // empty: the site's, which may be missing
+};
+
+/// Returns a line for every fault of the file (settings_text.h), including an unknown language and
+/// an unreadable file. Empty: done. Writes nothing else to `out`.
+[[nodiscard]] std::vector<std::string> run_settings(const SettingsCommandOptions& options,
+                                                    std::ostream& out);
+
+// touchline pack: picture packs, for people who make and install them.
+
+/// check: every finding about a pack, one sentence per line. import: installs it into the library.
+/// export: writes a folder as a zip file.
+enum class PackAction : std::uint8_t { check, import, write };
+
+struct PackCommandOptions {
+    PackAction action = PackAction::check;
+    std::string input;
+    std::string output;   // for export
+    std::string library;  // for import; empty: the user's
+    std::string
+        image_language;  // for export: as layered pictures of the IMAGE project; empty: unchanged
+    bool takes_older = false;  // for import: also over a newer version
+};
+
+/// Fails with one sentence if the pack cannot be used.
+[[nodiscard]] Result<void> run_pack(const PackCommandOptions& options, std::ostream& out);
+
+// touchline models: the networks that Touchline can use, their licences, and how to get them.
+
+/// list: what is known of each, and whether it is here. check: whether those that are here, or
+/// ship, are whole. get: downloads one of the others from its publisher, after showing its licence
+/// and getting the user's agreement.
+enum class ModelsAction : std::uint8_t { list, check, get };
+
+struct ModelsCommandOptions {
+    ModelsAction action = ModelsAction::list;
+    std::string name;        // for get
+    bool is_agreed = false;  // get does not ask
+};
+
+/// `in`: where the answer "yes" is read from. Fails with one line: a damaged network, an unknown
+/// name, an answer other than yes, or a failed download.
+[[nodiscard]] Result<void> run_models(const ModelsCommandOptions& options, std::istream& in,
+                                      std::ostream& out);
+
+}  // namespace touchline

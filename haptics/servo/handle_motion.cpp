@@ -1,0 +1,123 @@
+#include "haptics/servo/handle_motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace touchline {
+namespace {
+
+constexpr double key_rad_per_s = 2.0;
+constexpr double most_ahead_rad = 0.35;
+
+/// One axis: the slopes that keep every sample looked at so far within the noise, and the slope of
+/// the longest line that did.
+class Axis {
+  public:
+    /// `rise_m`: from a sample to the newest, which came `span_s` later.
+    void look_at(double rise_m, double span_s, double noise_m) {
+        if (is_over_) return;
+        const double slope = rise_m / span_s;
+        is_over_ = !(slope >= low_ && slope <= high_);
+        if (is_over_) return;
+        slope_ = slope;
+        const double spread = noise_m / span_s;
+        low_ = std::max(low_, slope - spread);
+        high_ = std::min(high_, slope + spread);
+    }
+
+    [[nodiscard]] bool is_over() const { return is_over_; }
+
+    [[nodiscard]] double slope() const { return slope_; }
+
+  private:
+    double low_ = -INFINITY;
+    double high_ = INFINITY;
+    double slope_ = 0.0;
+    bool is_over_ = false;
+};
+
+double count_of(const std::optional<TurningHandle>& handle) {
+    return handle ? encoder_quantum_rad(*handle) : 1e-3;
+}
+
+}  // namespace
+
+Velocity VelocityEstimate::step(Position position, double dt_s) {
+    velocity_ = {};
+    if (!is_finite(position) || !(dt_s > 0.0)) {
+        reset();
+        return velocity_;
+    }
+    newest_ = (newest_ + 1) % samples_.size();
+    samples_[newest_] = {position, dt_s};
+    count_ = std::min(count_ + 1, samples_.size());
+    Axis x;
+    Axis y;
+    double span_s = 0.0;
+    for (std::size_t i = 1; i < count_ && !(x.is_over() && y.is_over()); ++i) {
+        span_s += back(i - 1).dt_s;
+        const Position rise = position - back(i).position;
+        x.look_at(rise.x, span_s, noise_m_);
+        y.look_at(rise.y, span_s, noise_m_);
+    }
+    velocity_ = {x.slope(), y.slope()};
+    return velocity_;
+}
+
+void HandleTurn::step(std::optional<double> device_rad, double wanted_rad, double shape_rad,
+                      double dt_s) {
+    double next_rad = device_rad.value_or(wanted_rad);
+    if (!std::isfinite(next_rad)) next_rad = angle_rad_;
+    if (!device_rad) {
+        const double most_rad = key_rad_per_s * dt_s;
+        const double near_rad =
+            std::clamp(next_rad, shape_rad - most_ahead_rad, shape_rad + most_ahead_rad);
+        next_rad = std::clamp(near_rad, angle_rad_ - most_rad, angle_rad_ + most_rad);
+    }
+    turned_rad_ = next_rad - angle_rad_;
+    angle_rad_ = next_rad;
+    (void)speed_.step({angle_rad_, 0.0}, dt_s);
+}
+
+HandleMotion::HandleMotion(const DeviceProfile& profile)
+    : guard_(encoder_step_m(profile)),
+      velocity_(encoder_step_m(profile)),
+      turn_(count_of(profile.handle)) {}
+
+/// Where the handle is, or was a few ticks ago: a jump is not believed at once.
+void HandleMotion::judge(const std::optional<Pose>& told, HandleReading& reading) {
+    if (!told) {
+        guard_.miss(reading.dt_s);
+        return;
+    }
+    const Sample sample = guard_.step(told->p_DH, reading.dt_s);
+    if (sample != Sample::held) good_pose_ = told;
+    reading.pose = good_pose_;
+    reading.has_jumped = sample == Sample::jumped;
+}
+
+HandleReading HandleMotion::step(const DeviceProfile& profile, const StepInput& input,
+                                 std::optional<double> shape_rad, double period_s, double dt_s) {
+    silent_s_ = input.angles ? 0.0 : silent_s_ + period_s;
+    HandleReading reading;
+    reading.dt_s = dt_s;
+    judge(input.angles ? forward(profile.geometry, *input.angles) : std::nullopt, reading);
+    if (!reading.pose || reading.has_jumped) velocity_.reset();
+    if (reading.pose) {
+        const Position before = p_WH_;
+        p_WH_ = picture_from_device(profile, reading.pose->p_DH);
+        reading.moved = p_WH_ - before;
+        (void)velocity_.step(p_WH_, dt_s);
+        turn_.step(input.handle_rad, input.commands.turn_rad, shape_rad.value_or(turn_.angle_rad()),
+                   dt_s);
+    }
+    reading.silent_s = silent_s_;
+    reading.p_WH = p_WH_;
+    reading.velocity = velocity_.velocity();
+    reading.angle_rad = turn_.angle_rad();
+    reading.turned_rad = turn_.turned_rad();
+    reading.rad_per_s = turn_.rad_per_s();
+    return reading;
+}
+
+}  // namespace touchline
