@@ -4,7 +4,6 @@
 #include "app/device/procedures.h"
 #include "config/types/utf8.h"
 #include "haptics/device/usb_boards.h"
-#include "haptics/device/usb_pantograph.h"
 #include "haptics/servo/real_time.h"
 
 #include <atomic>

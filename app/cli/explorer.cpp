@@ -1,6 +1,6 @@
 #include "app/cli/explorer.h"
 
-#include "haptics/curve/sampling.h"
+#include "haptics/curve/spacing.h"
 
 #include <algorithm>
 #include <cmath>

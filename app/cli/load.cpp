@@ -4,8 +4,6 @@
 #include "app/decode/map_svg.h"
 #include "app/decode/opening.h"
 #include "app/models/networks.h"
-#include "app/models/picture_network_files.h"
-#include "app/trace/own_map.h"
 #include "app/trace/page_views.h"
 #include "config/types/map_bytes.h"
 

@@ -1,5 +1,4 @@
 #include "app/cli/commands.h"
-#include "app/models/getting.h"
 #include "app/models/networks.h"
 
 #include <istream>

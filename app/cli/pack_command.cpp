@@ -1,6 +1,5 @@
 #include "app/cli/commands.h"
-#include "app/packs/pack_check.h"
-#include "app/packs/pack_export.h"
+#include "app/packs/pack.h"
 #include "app/packs/pack_library.h"
 #include "audio-cues/words/language.h"
 #include "config/types/utf8.h"

@@ -3,7 +3,7 @@
 #include "app/decode/files.h"
 #include "app/decode/map_svg.h"
 #include "app/decode/png_writer.h"
-#include "app/trace/own_map.h"
+#include "app/trace/page_views.h"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 // Threads: pure functions.
 #pragma once
 
-#include "config/types/language_tag.h"
+#include "config/types/choices.h"
 #include "config/types/result.h"
 #include "config/types/tactile_map.h"
 

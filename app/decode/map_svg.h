@@ -19,7 +19,7 @@
 // sheets.
 #pragma once
 
-#include "config/types/language_tag.h"
+#include "config/types/choices.h"
 #include "config/types/map_frame.h"
 #include "config/types/result.h"
 #include "config/types/tactile_map.h"

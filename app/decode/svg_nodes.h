@@ -3,7 +3,7 @@
 // Threads: pure functions and values.
 #pragma once
 
-#include "config/types/language_tag.h"
+#include "config/types/choices.h"
 #include "config/types/tactile_map.h"
 
 #include <string>

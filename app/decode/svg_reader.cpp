@@ -7,7 +7,7 @@
 #include "app/decode/page.h"
 #include "app/decode/svg_nodes.h"
 #include "app/decode/svg_survey.h"
-#include "config/types/map_limits.h"
+#include "config/types/map_bytes.h"
 
 #include <algorithm>
 #include <array>

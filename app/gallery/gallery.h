@@ -2,7 +2,7 @@
 // begin with a number that gives their order. Threads: pure functions, except that they read files.
 #pragma once
 
-#include "config/types/language_tag.h"
+#include "config/types/choices.h"
 #include "config/types/result.h"
 
 #include <optional>

@@ -1,11 +1,10 @@
 #include "app/kiosk/kiosk.h"
 
-#include "app/session/fault_words.h"
 #include "app/session/told_lines.h"
-#include "app/sticks/stick_words.h"
+#include "app/sticks/spoken_list.h"
 #include "audio-cues/cues/cue_table.h"
-#include "audio-cues/words/guidance_words.h"
-#include "config/types/plain_line.h"
+#include "audio-cues/words/words_of.h"
+#include "config/types/utf8.h"
 
 #include <algorithm>
 #include <utility>

@@ -6,7 +6,7 @@
 // Threads: the screen's; the parts hide all other threads. No call waits.
 #pragma once
 
-#include "app/decode/reading_order.h"
+#include "app/decode/found_words.h"
 #include "app/kiosk/kiosk_handle.h"
 #include "app/kiosk/kiosk_keys.h"
 #include "app/kiosk/operator_session.h"

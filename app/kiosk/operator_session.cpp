@@ -1,14 +1,14 @@
 #include "app/kiosk/operator_session.h"
 
-#include "app/models/getting.h"
+#include "app/models/networks.h"
 #include "app/operator/backup.h"
-#include "app/operator/pin_tries_file.h"
-#include "app/operator/site_files.h"
+#include "app/operator/pin.h"
+#include "app/operator/settings_files.h"
 #include "app/packs/pack.h"
 #include "app/packs/pack_library.h"
 #include "app/process/places.h"
 #include "app/session/told_lines.h"
-#include "config/types/plain_line.h"
+#include "config/types/utf8.h"
 
 #include <algorithm>
 #include <chrono>

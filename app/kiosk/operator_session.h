@@ -6,7 +6,7 @@
 #include "app/kiosk/stick_source.h"
 #include "app/operator/counters.h"
 #include "app/operator/operator.h"
-#include "app/operator/pin_file.h"
+#include "app/operator/pin.h"
 #include "app/operator/profiles.h"
 #include "app/operator/settings_files.h"
 #include "app/session/visit_orders.h"

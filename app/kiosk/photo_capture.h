@@ -4,7 +4,7 @@
 
 #include "app/loading/stages.h"
 #include "app/screen/canvas.h"
-#include "app/trace/photo_cut.h"
+#include "app/trace/trace_work.h"
 #include "config/types/result.h"
 #include "vision/camera/camera.h"
 

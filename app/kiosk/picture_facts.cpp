@@ -1,7 +1,7 @@
 #include "app/kiosk/picture_facts.h"
 
 #include "app/session/told_lines.h"
-#include "config/types/face_part.h"
+#include "config/types/thing_name.h"
 
 #include <algorithm>
 #include <array>

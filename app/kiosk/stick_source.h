@@ -6,8 +6,6 @@
 #include "app/loading/stages.h"
 #include "app/process/memory.h"
 #include "app/sticks/listing.h"
-#include "app/sticks/mount_options.h"
-#include "app/sticks/refusal.h"
 #include "app/sticks/stick_port.h"
 #include "config/types/result.h"
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/session/visit_events.h"
-#include "config/settings/setting_texts.h"
+#include "config/settings/setting_rows.h"
 #include "config/settings/settings.h"
 
 #include <array>

@@ -4,12 +4,11 @@
 #include "app/decode/opening.h"
 #include "app/decode/words_in_picture.h"
 #include "app/gallery/gallery.h"
-#include "app/models/picture_network_files.h"
+#include "app/models/networks.h"
 #include "app/screen/canvas.h"
 #include "app/screen/layout.h"
 #include "app/servo/scene_order.h"
 #include "app/trace/finding_things.h"
-#include "app/trace/own_map.h"
 #include "app/trace/page_views.h"
 
 #include <algorithm>

@@ -2,9 +2,9 @@
 // Threads: any, each call by itself.
 #pragma once
 
-#include "app/decode/reading_order.h"
+#include "app/decode/found_words.h"
 #include "app/loading/stages.h"
-#include "app/trace/place_in_picture.h"
+#include "app/trace/trace_work.h"
 #include "haptics/pantograph/profile.h"
 
 #include <atomic>

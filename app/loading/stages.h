@@ -3,9 +3,9 @@
 // Threads: values that share what does not change.
 #pragma once
 
+#include "app/decode/file_format.h"
 #include "app/decode/page.h"
-#include "app/decode/page_order.h"
-#include "app/screen/shown_scene.h"
+#include "app/screen/screen_content.h"
 #include "app/servo/servo_client.h"
 #include "app/session/page_place.h"
 #include "app/trace/page_views.h"

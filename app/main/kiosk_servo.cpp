@@ -4,7 +4,7 @@
 #include "app/servo/servo_process.h"
 #include "app/servo/servo_thread.h"
 #include "app/servo/usb_search.h"
-#include "config/types/plain_line.h"
+#include "config/types/utf8.h"
 #include "haptics/device/simulated_pantograph.h"
 
 #include <string>

@@ -9,13 +9,13 @@
 #include "app/main/life_signs.h"
 #include "app/packs/pack_library.h"
 #include "app/process/places.h"
-#include "app/screen/frame_limiter.h"
 #include "app/screen/kiosk_screen.h"
+#include "app/screen/pace.h"
 #include "app/screen/screen_content.h"
 #include "app/screen/window.h"
 #include "app/sound/sound.h"
-#include "app/sticks/open_stick_port.h"
-#include "config/types/plain_line.h"
+#include "app/sticks/stick_port.h"
+#include "config/types/utf8.h"
 
 #include <algorithm>
 #include <atomic>

@@ -2,7 +2,7 @@
 // kiosk's own words in that language, and writes it to the standard output. Used to make the
 // package; not installed.
 #include "app/manual/manual_words.h"
-#include "config/types/plain_line.h"
+#include "config/types/utf8.h"
 
 #include <cstdio>
 #include <iostream>

@@ -2,7 +2,6 @@
 #include "app/operator/operator_menu.h"
 #include "app/operator/setting_words.h"
 #include "config/settings/setting_rows.h"
-#include "config/settings/setting_texts.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 #include "app/operator/operator_turn.h"
-#include "config/settings/setting_texts.h"
+#include "config/settings/setting_rows.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 
 #include "app/operator/settings_files.h"
 #include "app/process/places.h"
-#include "config/settings/setting_texts.h"
+#include "config/settings/setting_rows.h"
 #include "config/settings/settings_text.h"
 
 #include <algorithm>

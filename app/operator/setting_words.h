@@ -5,8 +5,8 @@
 
 #include "audio-cues/words/language.h"
 #include "config/settings/setting_rows.h"
+#include "config/types/hand_state.h"
 #include "config/types/level_terms.h"
-#include "config/types/stiffness_bound.h"
 
 #include <optional>
 #include <string>

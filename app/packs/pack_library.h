@@ -4,7 +4,7 @@
 
 #include "app/gallery/gallery.h"
 #include "app/packs/pack.h"
-#include "config/types/language_tag.h"
+#include "config/types/choices.h"
 #include "config/types/tactile_map.h"
 
 #include <cstdint>

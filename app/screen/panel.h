@@ -6,7 +6,7 @@
 #include "app/screen/theme.h"
 #include "app/session/status.h"
 #include "audio-cues/words/language.h"
-#include "haptics/servo/lateness.h"
+#include "haptics/servo/real_time.h"
 
 #include <string>
 

@@ -8,7 +8,7 @@
 #include "config/types/calibration.h"
 #include "config/types/result.h"
 #include "haptics/device/force_device.h"
-#include "haptics/device/usb_node.h"
+#include "haptics/device/usb_boards.h"
 #include "haptics/pantograph/profile.h"
 #include "haptics/servo/exchange.h"
 #include "haptics/servo/servo.h"

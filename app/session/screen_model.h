@@ -3,7 +3,7 @@
 #pragma once
 
 #include "audio-cues/words/language.h"
-#include "config/types/key_role.h"
+#include "config/types/key.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -5,9 +5,7 @@
 #include "app/session/page_place.h"
 #include "audio-cues/words/language.h"
 #include "config/types/contact_event.h"
-#include "config/types/force_status.h"
 #include "config/types/hand_state.h"
-#include "config/types/held_shape.h"
 
 #include <array>
 #include <optional>

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "audio-cues/words/language.h"
-#include "config/types/force_status.h"
+#include "config/types/hand_state.h"
 
 #include <cstdint>
 #include <span>

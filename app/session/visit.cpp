@@ -1,7 +1,7 @@
 #include "app/session/visit.h"
 
 #include "app/session/visit_work.h"
-#include "app/sticks/spoken_forms.h"
+#include "app/sticks/spoken_list.h"
 
 #include <algorithm>
 #include <iterator>

@@ -1,6 +1,6 @@
 // What the keys do, the same on every screen.
 #include "app/session/visit_menu.h"
-#include "audio-cues/speech/speech_rate.h"
+#include "audio-cues/speech/speech_input.h"
 
 #include <array>
 #include <string>

@@ -4,11 +4,10 @@
 #pragma once
 
 #include "app/sticks/spoken_name.h"
-#include "audio-cues/cues/cue.h"
-#include "audio-cues/cues/screen_event.h"
+#include "audio-cues/cues/cue_table.h"
 #include "audio-cues/speech/speech_queue.h"
+#include "config/types/guidance.h"
 #include "config/types/hand_state.h"
-#include "config/types/handle_pattern.h"
 #include "config/types/vec2.h"
 
 #include <array>

@@ -1,8 +1,7 @@
 // How the picture is opened, opened again in another way, and told.
 #include "app/session/page_place.h"
 #include "app/session/visit_work.h"
-#include "audio-cues/words/guidance_words.h"
-#include "audio-cues/words/thing_words.h"
+#include "audio-cues/words/words_of.h"
 
 #include <algorithm>
 #include <utility>

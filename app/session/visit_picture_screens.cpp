@@ -2,8 +2,7 @@
 #include "app/session/page_place.h"
 #include "app/session/status.h"
 #include "app/session/visit_menu.h"
-#include "audio-cues/words/guidance_words.h"
-#include "audio-cues/words/thing_words.h"
+#include "audio-cues/words/words_of.h"
 
 #include <algorithm>
 #include <array>

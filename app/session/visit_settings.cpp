@@ -1,6 +1,6 @@
 // What a visitor can set for ears and eyes, and the page of a setting's values.
 #include "app/session/visit_menu.h"
-#include "audio-cues/speech/speech_rate.h"
+#include "audio-cues/speech/speech_input.h"
 
 #include <array>
 #include <string>

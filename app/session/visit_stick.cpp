@@ -1,7 +1,7 @@
 // A stick's list of files, all of them or those that begin alike, and its letters.
 #include "app/session/visit_menu.h"
+#include "app/sticks/spoken_list.h"
 #include "app/sticks/spoken_name.h"
-#include "app/sticks/stick_words.h"
 
 #include <array>
 #include <memory>

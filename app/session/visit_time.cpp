@@ -1,6 +1,6 @@
 // What happens without a key: what time causes, the handle that leads, and the hand that moves it.
 #include "app/session/visit_work.h"
-#include "audio-cues/speech/speech_rate.h"
+#include "audio-cues/speech/speech_input.h"
 
 #include <algorithm>
 #include <cmath>

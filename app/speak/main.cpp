@@ -9,7 +9,7 @@
 #include "audio-cues/speech/espeak_engine.h"
 #include "audio-cues/speech/resampler.h"
 #include "audio-cues/synth/frames.h"
-#include "config/types/plain_line.h"
+#include "config/types/utf8.h"
 
 #include <algorithm>
 #include <cstdio>

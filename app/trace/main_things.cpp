@@ -1,9 +1,9 @@
 #include "app/trace/main_things.h"
 
 #include "app/trace/worker_values.h"
-#include "config/types/face_part.h"
 #include "config/types/fields.h"
 #include "config/types/map_bytes.h"
+#include "config/types/thing_name.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -8,7 +8,6 @@
 #include "app/trace/trace_work.h"
 #include "app/trace/traced.h"
 #include "app/trace/worker_values.h"
-#include "vision/camera/conversion.h"
 #include "vision/camera/frame.h"
 #include "vision/prepare/document.h"
 #include "vision/simplify/trace.h"

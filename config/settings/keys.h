@@ -3,7 +3,6 @@
 #pragma once
 
 #include "config/types/key.h"
-#include "config/types/key_role.h"
 #include "config/types/result.h"
 
 #include <cstdint>

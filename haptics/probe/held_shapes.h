@@ -2,7 +2,7 @@
 // Threads: values and pure functions.
 #pragma once
 
-#include "config/types/held_shape.h"
+#include "config/types/hand_state.h"
 #include "haptics/contact/contact_machine.h"
 #include "haptics/probe/probe_proxy.h"
 #include "haptics/probe/probe_shape.h"

@@ -6,7 +6,7 @@
 // Threads: one, the servo's. A plain value; no allocation, lock, clock or log.
 #pragma once
 
-#include "config/types/force_status.h"
+#include "config/types/hand_state.h"
 #include "config/types/vec2.h"
 #include "haptics/pantograph/kinematics.h"
 #include "haptics/pantograph/profile.h"

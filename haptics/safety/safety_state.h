@@ -3,7 +3,7 @@
 // Threads: values and pure functions.
 #pragma once
 
-#include "config/types/force_status.h"
+#include "config/types/hand_state.h"
 
 #include <cstdint>
 #include <span>

@@ -1,6 +1,6 @@
 #include "haptics/servo/hand_force.h"
 
-#include "haptics/guidance/frame.h"
+#include "haptics/guidance/guidance.h"
 #include "haptics/servo/loop_settings.h"
 
 #include <algorithm>

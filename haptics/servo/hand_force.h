@@ -8,7 +8,7 @@
 #include "haptics/contact/event_detector.h"
 #include "haptics/guidance/guidance.h"
 #include "haptics/guidance/pattern.h"
-#include "haptics/safety/stiffness_ramp.h"
+#include "haptics/safety/stability_monitor.h"
 #include "haptics/servo/handle_motion.h"
 #include "haptics/servo/rendering.h"
 

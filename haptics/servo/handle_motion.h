@@ -6,7 +6,7 @@
 #include "haptics/collision/scene.h"
 #include "haptics/pantograph/kinematics.h"
 #include "haptics/pantograph/profile.h"
-#include "haptics/safety/position_guard.h"
+#include "haptics/safety/guards.h"
 #include "haptics/servo/exchange.h"
 
 #include <array>

@@ -11,7 +11,6 @@
 #include "haptics/probe/probe_shape.h"
 #include "haptics/resolution/cost_term.h"
 #include "haptics/resolution/level_rule.h"
-#include "haptics/resolution/shape_level_rule.h"
 
 #include <vector>
 

@@ -1,5 +1,5 @@
 // Any bytes give one finding, or a sound pack.toml that stays the same when written and read again.
-#include "app/packs/pack_toml.h"
+#include "app/packs/pack.h"
 #include "app/packs/plain_names.h"
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 // Any text beside a picture gives lines without control characters, of bounded length; any file has
 // a kind.
-#include "app/decode/page_order.h"
+#include "app/decode/file_format.h"
 #include "app/decode/side_car.h"
 
 #include <algorithm>

@@ -1,9 +1,8 @@
 // Any bytes give a name that can be shown, said and sorted without harm.
 #include "app/decode/side_car.h"
-#include "app/sticks/file_kind.h"
 #include "app/sticks/first_letters.h"
+#include "app/sticks/listing.h"
 #include "app/sticks/names.h"
-#include "app/sticks/natural_order.h"
 #include "app/sticks/spoken_name.h"
 #include "config/types/utf8.h"
 

@@ -1,7 +1,7 @@
 // Any directory at the end of a zip file gives plain names within the limits, or a finding.
-#include "app/packs/pack_limits.h"
+#include "app/packs/pack.h"
 #include "app/packs/plain_names.h"
-#include "app/packs/zip_directory.h"
+#include "app/packs/unpack_work.h"
 
 #include <cstddef>
 #include <cstdint>

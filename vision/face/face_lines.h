@@ -1,7 +1,7 @@
 // A face's mesh as lines, each for a part that has a name. Threads: pure functions.
 #pragma once
 
-#include "config/types/face_part.h"
+#include "config/types/thing_name.h"
 #include "vision/contour/chain.h"
 #include "vision/face/face_mesh.h"
 

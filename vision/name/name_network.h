@@ -3,7 +3,7 @@
 // Threads: pure functions; one object, one thread at a time (OpenCV uses its own inside).
 #pragma once
 
-#include "config/types/thing_box.h"
+#include "config/types/thing_name.h"
 #include "vision/network/trained_network.h"
 
 #include <span>

@@ -2,7 +2,7 @@
 // that show them all. Threads: pure functions except for the files they read.
 #pragma once
 
-#include "config/types/language_tag.h"
+#include "config/types/choices.h"
 #include "config/types/tactile_map.h"
 
 #include <string>

@@ -2,8 +2,8 @@
 // workers to the words: why it cannot be felt, in every language, and whether there is a thing
 // under the hand.
 #include "app/session/told_lines.h"
+#include "app/sticks/spoken_list.h"
 #include "app/sticks/spoken_name.h"
-#include "app/sticks/stick_words.h"
 #include "app/trace/finding_things.h"
 #include "tests/app/kiosk/blind_visitor.h"
 #include "tests/app/kiosk/kiosk_world.h"

@@ -4,8 +4,6 @@
 #include "app/decode/files.h"
 #include "app/models/networks.h"
 #include "app/operator/pin.h"
-#include "app/operator/pin_file.h"
-#include "app/operator/pin_tries_file.h"
 #include "app/sticks/listing.h"
 #include "tests/app/kiosk/kiosk_world.h"
 

@@ -1,7 +1,7 @@
 #include "app/kiosk/picture_facts.h"
 
-#include "config/types/face_part.h"
-#include "vision/simplify/parts.h"
+#include "config/types/thing_name.h"
+#include "vision/simplify/simplify.h"
 
 #include <set>
 #include <string>

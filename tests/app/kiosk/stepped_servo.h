@@ -5,8 +5,8 @@
 #include "app/servo/servo_client.h"
 #include "haptics/device/hand.h"
 #include "haptics/device/simulated_pantograph.h"
+#include "haptics/servo/rendering.h"
 #include "haptics/servo/servo_step.h"
-#include "haptics/servo/shape_in_hand.h"
 
 #include <cstdint>
 #include <deque>

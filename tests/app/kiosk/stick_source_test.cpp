@@ -2,7 +2,7 @@
 // touchline-import, real workers.
 #include "app/kiosk/stick_source.h"
 
-#include "app/sticks/folder_port.h"
+#include "app/sticks/stick_port.h"
 #include "tests/app/decode/files_of_formats.h"
 #include "tests/app/sticks/stick_folder.h"
 

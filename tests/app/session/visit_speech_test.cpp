@@ -1,5 +1,5 @@
 // Tests what is heard, at the level of the visit: SP, VO, LA and VI of the requirements.
-#include "audio-cues/speech/speech_rate.h"
+#include "audio-cues/speech/speech_input.h"
 #include "tests/app/session/fake_world.h"
 #include "tests/app/session/visit_scenes.h"
 

@@ -1,6 +1,6 @@
 // Tests the rules of audio-cues/words/README.md on every catalogue.
-#include "app/session/fault_words.h"
 #include "app/session/status.h"
+#include "app/session/told_lines.h"
 #include "app/session/visit_orders.h"
 #include "audio-cues/cues/cue_table.h"
 #include "audio-cues/words/language.h"

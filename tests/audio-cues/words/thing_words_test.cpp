@@ -1,5 +1,5 @@
 #include "audio-cues/words/words_of.h"
-#include "config/types/face_part.h"
+#include "config/types/thing_name.h"
 #include "tests/audio-cues/words/po_file.h"
 
 #include <algorithm>

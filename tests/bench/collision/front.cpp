@@ -1,6 +1,5 @@
 // One collision query a step: from the top, from the start grid, and from a kept front.
-#include "haptics/collision/first_touch.h"
-#include "haptics/collision/spender.h"
+#include "haptics/collision/collision_tree.h"
 #include "haptics/collision/tree_walk.h"
 #include "tests/bench/collision/kept_front.h"
 #include "tests/bench/collision/report.h"

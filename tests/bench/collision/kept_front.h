@@ -5,8 +5,8 @@
 #pragma once
 
 #include "config/types/vec2.h"
-#include "haptics/collision/first_touch.h"
 #include "haptics/collision/scene.h"
+#include "haptics/collision/tree_walk.h"
 
 #include <array>
 #include <cstddef>

@@ -1,6 +1,6 @@
 #include "tests/bench/curve/filters.h"
 
-#include "haptics/curve/shrink.h"
+#include "haptics/curve/wavelet.h"
 
 #include <cmath>
 

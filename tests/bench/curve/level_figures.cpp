@@ -1,7 +1,7 @@
 #include "app/cli/load.h"
 #include "app/decode/files.h"
 #include "app/gallery/gallery.h"
-#include "haptics/curve/shrink.h"
+#include "haptics/curve/wavelet.h"
 #include "tests/bench/curve/coarse_curve.h"
 #include "tests/bench/curve/outlines.h"
 #include "tests/bench/curve/sections.h"

@@ -1,7 +1,7 @@
 #include "tests/bench/curve/outlines.h"
 
 #include "app/cli/load.h"
-#include "haptics/curve/sampling.h"
+#include "haptics/curve/spacing.h"
 #include "tests/haptics/curve/uniform_points.h"
 
 #include <cmath>

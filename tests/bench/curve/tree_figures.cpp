@@ -5,7 +5,7 @@
 #include "app/screen/paint.h"
 #include "app/screen/text.h"
 #include "haptics/collision/scene.h"
-#include "haptics/curve/sampling.h"
+#include "haptics/curve/spacing.h"
 #include "tests/bench/curve/sections.h"
 
 #include <algorithm>

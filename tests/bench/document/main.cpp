@@ -4,11 +4,10 @@
 #include "config/types/steady_clock.h"
 #include "tests/vision/camera/frames.h"
 #include "tests/vision/prepare/page_photos.h"
-#include "vision/camera/conversion.h"
-#include "vision/camera/quality.h"
-#include "vision/prepare/even_light.h"
-#include "vision/prepare/page_search.h"
-#include "vision/prepare/rectify.h"
+#include "vision/camera/frame.h"
+#include "vision/prepare/document.h"
+#include "vision/prepare/page_light.h"
+#include "vision/prepare/quad.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -3,7 +3,7 @@
 // the first audible one was rendered. What the card adds is not measured.
 #include "app/kiosk/kiosk.h"
 #include "app/loading/kiosk_stages.h"
-#include "app/loading/thread_executor.h"
+#include "app/loading/loader.h"
 #include "app/process/places.h"
 #include "app/servo/servo_thread.h"
 #include "app/sound/sound.h"

@@ -4,7 +4,7 @@
 
 #include "haptics/pantograph/profile.h"
 #include "haptics/probe/probe_proxy.h"
-#include "haptics/resolution/shape_level_rule.h"
+#include "haptics/resolution/level_rule.h"
 #include "tests/bench/collision/run.h"
 #include "tests/bench/workload.h"
 

@@ -1,8 +1,7 @@
 #include "tests/bench/vision/detectors.h"
 
-#include "vision/contour/edge_strength.h"
+#include "vision/contour/edge_lines.h"
 #include "vision/contour/photo_lines.h"
-#include "vision/contour/scale.h"
 
 #include <array>
 #include <cmath>

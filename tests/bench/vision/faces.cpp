@@ -5,7 +5,6 @@
 #include "app/decode/map_svg.h"
 #include "app/models/networks.h"
 #include "tests/bench/vision/pictures.h"
-#include "vision/face/face_drawing.h"
 #include "vision/face/face_network.h"
 #include "vision/face/person_network.h"
 #include "vision/name/name_network.h"

@@ -6,7 +6,7 @@
 
 #include "app/models/networks.h"
 #include "tests/bench/vision/pictures.h"
-#include "vision/contour/iso_rings.h"
+#include "vision/contour/rings.h"
 #include "vision/figure/figure_network.h"
 
 #include <algorithm>

@@ -3,7 +3,6 @@
 #include "tests/bench/vision/pictures.h"
 #include "tests/bench/vision/still.h"
 #include "tests/vision/boundary/boundary_score.h"
-#include "tests/vision/boundary/degraded.h"
 #include "tests/vision/boundary/glyphs.h"
 #include "tests/vision/boundary/line_truth.h"
 #include "tests/vision/pictures/effects.h"

@@ -1,7 +1,7 @@
 #include "tests/bench/vision/still.h"
 
 #include "tests/vision/camera/frames.h"
-#include "vision/camera/conversion.h"
+#include "vision/camera/frame.h"
 #include "vision/contour/main_shape.h"
 #include "vision/contour/photo_lines.h"
 #include "vision/prepare/picture_class.h"

@@ -2,7 +2,7 @@
 
 #include "app/decode/map_svg.h"
 #include "app/process/places.h"
-#include "config/settings/setting_texts.h"
+#include "config/settings/setting_rows.h"
 #include "config/settings/settings.h"
 
 #include <cmath>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/kiosk/kiosk.h"
-#include "app/servo/restart.h"
+#include "app/servo/running_servo.h"
 #include "app/servo/servo_connection.h"
 #include "tests/sim/kiosk/due_jobs.h"
 #include "tests/sim/kiosk/heard.h"

@@ -1,6 +1,6 @@
 #include "tests/sim/kiosk/servo_life.h"
 
-#include "app/servo/arrived_scene.h"
+#include "app/servo/messages.h"
 
 #include <limits>
 #include <utility>

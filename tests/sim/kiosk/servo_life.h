@@ -3,7 +3,6 @@
 #pragma once
 
 #include "app/servo/messages.h"
-#include "app/servo/shared_region.h"
 #include "app/servo/watched_board.h"
 #include "haptics/servo/servo_loop.h"
 #include "tests/sim/board/emulated_link.h"

@@ -1,7 +1,7 @@
 // Sticks that come, are listed and are pulled out, on a virtual clock. Threads: one.
 #pragma once
 
-#include "app/kiosk/file_source.h"
+#include "app/kiosk/stick_source.h"
 
 #include <cstdint>
 #include <optional>

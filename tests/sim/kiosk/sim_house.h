@@ -2,7 +2,7 @@
 // Threads: one.
 #pragma once
 
-#include "app/servo/servo_watch.h"
+#include "app/servo/running_servo.h"
 #include "audio-cues/cues/cue_step.h"
 #include "tests/sim/kiosk/checkers/answers.h"
 #include "tests/sim/kiosk/checkers/board_truth.h"

@@ -3,7 +3,7 @@
 // Threads: pure.
 #pragma once
 
-#include "config/types/force_status.h"
+#include "config/types/hand_state.h"
 #include "tests/sim/board/emulated_link.h"
 
 #include <cstdint>

@@ -3,7 +3,6 @@
 #include "haptics/device/usb_boards.h"
 
 #include "haptics/device/pantograph_board.h"
-#include "haptics/device/usb_pantograph.h"
 #include "tests/sim/umockdev/mocked_board.h"
 #include "tests/sim/umockdev/usb_rig.h"
 

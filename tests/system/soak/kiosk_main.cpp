@@ -1,7 +1,6 @@
 // The kiosk as `touchline --window` runs it, with the board of soak_board.h instead of one on USB.
 #include "app/cli/command_line.h"
-#include "app/main/core_dumps.h"
-#include "app/main/kiosk.h"
+#include "app/main/kiosk_window.h"
 #include "app/process/compact_memory.h"
 #include "app/process/places.h"
 #include "app/servo/servo_process.h"

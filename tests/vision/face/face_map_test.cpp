@@ -1,6 +1,6 @@
 #include "vision/face/face_map.h"
 
-#include "config/types/map_limits.h"
+#include "config/types/map_bytes.h"
 #include "tests/vision/face/made_face.h"
 #include "tests/vision/simplify/touch_rules.h"
 

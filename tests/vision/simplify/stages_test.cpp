@@ -1,5 +1,5 @@
 // The stages of simplifying, each on its own, on lines in millimetres.
-#include "config/types/map_limits.h"
+#include "config/types/map_bytes.h"
 #include "tests/exact/orientation.h"
 #include "vision/simplify/detail_limits.h"
 #include "vision/simplify/selection.h"

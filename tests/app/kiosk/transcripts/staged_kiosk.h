@@ -5,7 +5,7 @@
 #pragma once
 
 #include "app/kiosk/kiosk.h"
-#include "app/operator/operator_items.h"
+#include "app/operator/operator_menu.h"
 #include "haptics/device/homing.h"
 #include "tests/app/kiosk/stepped_servo.h"
 #include "tests/app/kiosk/transcripts/transcript.h"

@@ -1,6 +1,6 @@
 #include "tests/app/kiosk/transcripts/transcript.h"
 
-#include "audio-cues/speech/speech_rate.h"
+#include "audio-cues/speech/speech_input.h"
 
 #include <algorithm>
 #include <cctype>

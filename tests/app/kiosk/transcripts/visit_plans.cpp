@@ -1,6 +1,6 @@
 #include "tests/app/kiosk/transcripts/visit_plans.h"
 
-#include "app/operator/operator_places.h"
+#include "app/operator/operator_menu.h"
 
 #include <array>
 #include <initializer_list>

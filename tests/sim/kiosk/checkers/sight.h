@@ -4,7 +4,7 @@
 
 #include "app/kiosk/kiosk.h"
 #include "haptics/device/hand.h"
-#include "haptics/device/tip_dynamics.h"
+#include "haptics/device/simulated_pantograph.h"
 #include "haptics/safety/force_chain.h"
 #include "haptics/servo/recorder.h"
 #include "tests/sim/kiosk/figures.h"
