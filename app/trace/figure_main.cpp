@@ -31,7 +31,7 @@ namespace {
 
 using namespace touchline;
 
-// Measured at several sizes: tests/bench/vision/photographs.md.
+// Measured at several sizes: tests/lab/bench/vision/photographs.md.
 constexpr int network_side_px = 768;
 constexpr double most_pixels = 1e6;
 

@@ -8,7 +8,7 @@ namespace touchline {
 namespace {
 
 // The time that each opened box adds to a step: 51 ns from 4 to 16 boxes, 38 ns from 16 to 64
-// (tests/bench/results/deadline.csv, fractal, median).
+// (tests/lab/bench/results/deadline.csv, fractal, median).
 constexpr double s_per_box = 50e-9;
 constexpr double share_of_period = 0.3;
 constexpr double window_ticks = 64.0;

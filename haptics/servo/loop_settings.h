@@ -27,7 +27,7 @@ struct LoopSettings {
 ///   B     = 1.5 N s/m, 2 from 2 kHz on
 /// From 2000 N/m up, the shipped loop rings at 4 kHz when a light tip is hit, whatever the period
 /// allows: the velocity's window is as long as it takes to count encoder steps, not as short as the
-/// ticks (tests/stability/README.md).
+/// ticks (tests/lab/stability/README.md).
 [[nodiscard]] LoopSettings loop_settings(const DeviceProfile& profile, double period_s,
                                          double delay_s);
 

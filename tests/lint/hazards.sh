@@ -2,7 +2,7 @@
 # Every test that a hazard names exists: as a case of GoogleTest or RapidCheck, or as a CMake test.
 . "$(dirname "${BASH_SOURCE[0]}")/sources.sh"
 
-page=tests/bench/reliability/hazards.tsv
+page=tests/lab/reliability/hazards.tsv
 [[ -e $page ]] || exit 0
 
 cases() {

@@ -16,7 +16,7 @@
 namespace touchline {
 namespace {
 
-// Turns measured on photographs: tests/bench/vision/faces_and_names.md.
+// Turns measured on photographs: tests/lab/bench/vision/faces_and_names.md.
 constexpr double kNearProfile = -0.02;
 constexpr double kTurnedAway = 0.15;
 

@@ -57,7 +57,7 @@ bool is_apart(const FaceBox& box, const std::vector<FaceBox>& others) {
 
 constexpr int kMesh_px = 192;       // side of its input
 constexpr double kAround = 1.5;     // side of what the mesh's network sees, in sides of the face
-constexpr double kLeastSure = 0.9;  // measured: tests/bench/vision/faces_and_names.md
+constexpr double kLeastSure = 0.9;  // measured: tests/lab/bench/vision/faces_and_names.md
 constexpr std::size_t kMostPersons = 8;
 constexpr std::size_t kMostFaces = 8;
 

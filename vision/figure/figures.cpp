@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kMaskPixels = 1e6;
 constexpr uchar kLimit = 128;         // of a mask
-constexpr float kFigure = 0.3F;       // likelihood: measured, tests/bench/vision/photographs.md
+constexpr float kFigure = 0.3F;       // likelihood: measured, tests/lab/bench/vision/photographs.md
 constexpr double kLeastPart = 0.05;   // of all figures
 constexpr double kLeastArea = 0.002;  // of the picture
 constexpr double kLeastHole = 0.004;  // of the picture

@@ -2,7 +2,7 @@
 #include "app/cli/commands.h"
 #include "app/device/board_files.h"
 #include "tests/app/device/person.h"
-#include "tests/sim/umockdev/mocked_board.h"
+#include "tests/machines/sim/umockdev/mocked_board.h"
 
 #include <atomic>
 #include <chrono>

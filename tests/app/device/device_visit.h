@@ -3,7 +3,7 @@
 
 #include "app/device/procedures.h"
 #include "tests/app/device/person.h"
-#include "tests/sim/board/board_rig.h"
+#include "tests/machines/sim/board/board_rig.h"
 
 #include <algorithm>
 #include <cmath>

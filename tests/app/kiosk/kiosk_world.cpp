@@ -3,7 +3,7 @@
 #include "app/kiosk/stick_source.h"
 #include "app/process/places.h"
 #include "app/sticks/stick_port.h"
-#include "tests/sim/kiosk/due_jobs.h"
+#include "tests/machines/sim/kiosk/due_jobs.h"
 #include "vision/camera/folder_camera.h"
 
 #include <chrono>

@@ -3,7 +3,7 @@
 #include "app/decode/files.h"
 #include "haptics/servo/servo_loop.h"
 #include "tests/haptics/servo/rigs.h"
-#include "tests/sim/fault_lines.h"
+#include "tests/machines/sim/fault_lines.h"
 
 #include <csignal>
 #include <filesystem>

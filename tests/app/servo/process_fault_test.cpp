@@ -1,8 +1,8 @@
 // Tests kiosk and servo as real processes that are killed, frozen and crashed: zero torque, what is
-// said, the way back, nothing left behind. Times are reported but not judged; tests/sim/loop tests
-// the rules on a virtual clock.
+// said, the way back, nothing left behind. Times are reported but not judged;
+// tests/machines/sim/loop tests the rules on a virtual clock.
 #include "tests/app/servo/process_rig.h"
-#include "tests/sim/fault_lines.h"
+#include "tests/machines/sim/fault_lines.h"
 
 #include <array>
 #include <atomic>

@@ -2,7 +2,7 @@
 // wall clock.
 #include "tests/app/servo/process_rig.h"
 #include "tests/app/servo/stepped_clock.h"
-#include "tests/sim/fault_lines.h"
+#include "tests/machines/sim/fault_lines.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -5,10 +5,10 @@
 #include "app/device/board_files.h"
 #include "app/process/child.h"
 #include "app/servo/usb_search.h"
-#include "tests/sim/board/board_rig.h"
-#include "tests/sim/fault_lines.h"
-#include "tests/sim/umockdev/mocked_board.h"
-#include "tests/sim/usbfs/usb_node_server.h"
+#include "tests/machines/sim/board/board_rig.h"
+#include "tests/machines/sim/fault_lines.h"
+#include "tests/machines/sim/umockdev/mocked_board.h"
+#include "tests/machines/sim/usbfs/usb_node_server.h"
 
 #include <algorithm>
 #include <csignal>

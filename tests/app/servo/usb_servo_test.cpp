@@ -5,7 +5,7 @@
 #include "app/servo/servo_process.h"
 #include "app/servo/usb_search.h"
 #include "tests/app/servo/felt_line.h"
-#include "tests/sim/umockdev/mocked_board.h"
+#include "tests/machines/sim/umockdev/mocked_board.h"
 
 #include <cstdio>
 #include <functional>

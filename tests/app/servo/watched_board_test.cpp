@@ -1,7 +1,7 @@
 // Tests the board as the servo sees it after the machine slept.
 #include "app/servo/watched_board.h"
 
-#include "tests/sim/board/board_rig.h"
+#include "tests/machines/sim/board/board_rig.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // Nodes that are alone: a slide over them never asks the tree, so nothing else may be near.
 #include "haptics/collision/scene.h"
 #include "haptics/collision/touch.h"
-#include "tests/bench/workload.h"
 #include "tests/exact/orientation.h"
 #include "tests/haptics/collision/level_segments.h"
 #include "tests/haptics/collision/trials.h"
 #include "tests/haptics/scenes.h"
+#include "tests/lab/bench/workload.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // Boxes hold everything that they claim. Every node of every level holds the points of all finer
 // levels, and of the blends between them, over the node's stretch.
 #include "haptics/collision/scene.h"
-#include "tests/bench/workload.h"
 #include "tests/haptics/collision/trials.h"
 #include "tests/haptics/scenes.h"
+#include "tests/lab/bench/workload.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 // A point (radius 0) hits exactly what exact arithmetic says that it meets first, at every level
 // and blend, however it is aimed. TOUCHLINE_EXHAUSTIVE=1 asks ten million times (tests/README.md).
 #include "haptics/collision/scene.h"
-#include "tests/bench/workload.h"
 #include "tests/exact/orientation.h"
 #include "tests/haptics/collision/level_segments.h"
 #include "tests/haptics/collision/trials.h"
+#include "tests/lab/bench/workload.h"
 
 #include <algorithm>
 #include <bit>

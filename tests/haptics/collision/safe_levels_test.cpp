@@ -1,9 +1,9 @@
 // On the way from level to level no line passes over one that it does not cross at level 0.
 #include "haptics/collision/scene.h"
-#include "tests/bench/workload.h"
 #include "tests/haptics/collision/meetings.h"
 #include "tests/haptics/collision/trials.h"
 #include "tests/haptics/scenes.h"
+#include "tests/lab/bench/workload.h"
 
 #include <cmath>
 #include <numbers>

@@ -2,11 +2,11 @@
 // and what is spared afterwards is true.
 #include "haptics/collision/scene.h"
 #include "haptics/collision/touch.h"
-#include "tests/bench/workload.h"
 #include "tests/haptics/collision/hierarchy_hit.h"
 #include "tests/haptics/collision/level_segments.h"
 #include "tests/haptics/collision/trials.h"
 #include "tests/haptics/scenes.h"
+#include "tests/lab/bench/workload.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // Changes of level under the hand: the wall moves, and the proxy follows and keeps its side.
 #include "haptics/contact/contact_machine.h"
-#include "tests/bench/workload.h"
 #include "tests/haptics/contact/hold_rig.h"
 #include "tests/haptics/scenes.h"
+#include "tests/lab/bench/workload.h"
 
 #include <algorithm>
 #include <cmath>

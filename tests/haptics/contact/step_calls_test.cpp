@@ -3,9 +3,9 @@
 // built with the sanitizers, which do all three themselves.
 #include "haptics/contact/contact_machine.h"
 #include "haptics/resolution/level_rule.h"
-#include "tests/bench/workload.h"
 #include "tests/haptics/call_counts.h"
 #include "tests/haptics/tick.h"
+#include "tests/lab/bench/workload.h"
 
 #include <cstdint>
 #include <functional>

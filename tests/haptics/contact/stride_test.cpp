@@ -1,8 +1,8 @@
 // Compares strides over many short edges with what they replace: slides edge by edge.
 #include "haptics/contact/contact_machine.h"
 #include "haptics/contact/contact_step.h"
-#include "tests/bench/workload.h"
 #include "tests/haptics/scenes.h"
+#include "tests/lab/bench/workload.h"
 
 #include <gtest/gtest.h>
 

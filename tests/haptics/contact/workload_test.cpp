@@ -1,6 +1,6 @@
-// The peer workload (tests/bench/workload.h), level 0, wall mode, point proxy: it lets nothing
+// The peer workload (tests/lab/bench/workload.h), level 0, wall mode, point proxy: it lets nothing
 // through, the proxy is as near to the hand as the curve allows, and it never slips off.
-#include "tests/bench/workload.h"
+#include "tests/lab/bench/workload.h"
 
 #include "haptics/contact/contact_machine.h"
 #include "tests/haptics/contact/judge.h"

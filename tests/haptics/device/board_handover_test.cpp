@@ -1,6 +1,6 @@
 // What the driver finds, leaves and loses: boards that others drove, stopping, the plug.
 #include "haptics/device/pantograph_board.h"
-#include "tests/sim/board/board_rig.h"
+#include "tests/machines/sim/board/board_rig.h"
 
 #include <memory>
 #include <vector>

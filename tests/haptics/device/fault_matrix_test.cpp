@@ -1,8 +1,8 @@
 // Every kind of fault at a hundred moments: time to zero torque, state, recovery. All runs use the
-// virtual clock; tests/sim/README.md has the figures.
+// virtual clock; tests/machines/sim/README.md has the figures.
 #include "tests/haptics/tick.h"
-#include "tests/sim/board/fault_run.h"
-#include "tests/sim/fault_lines.h"
+#include "tests/machines/sim/board/fault_run.h"
+#include "tests/machines/sim/fault_lines.h"
 
 #include <map>
 #include <ostream>

@@ -1,6 +1,6 @@
 // Faults while the board is being opened or stopped: it opens in the end, or says why not; the
 // motors never pull meanwhile.
-#include "tests/sim/board/board_rig.h"
+#include "tests/machines/sim/board/board_rig.h"
 
 #include <random>
 

@@ -1,7 +1,7 @@
 // The driver against the emulated board: how it copes with each habit of the firmware.
 #include "haptics/device/pantograph_board.h"
 
-#include "tests/sim/board/board_rig.h"
+#include "tests/machines/sim/board/board_rig.h"
 
 #include <cmath>
 #include <limits>

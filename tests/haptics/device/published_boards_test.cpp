@@ -3,7 +3,7 @@
 #include "haptics/device/board_frame.h"
 #include "haptics/device/hapi.h"
 #include "haptics/pantograph/kinematics.h"
-#include "tests/sim/board/firmware.h"
+#include "tests/machines/sim/board/firmware.h"
 
 #include <array>
 #include <cmath>

@@ -1,7 +1,7 @@
 // A handle that turns: the third motor on the wire, through the driver and in the simulation.
 #include "haptics/device/hapi.h"
 #include "haptics/device/simulated_pantograph.h"
-#include "tests/sim/board/board_rig.h"
+#include "tests/machines/sim/board/board_rig.h"
 
 #include <cmath>
 #include <limits>

@@ -1,5 +1,5 @@
 // Boards whose counts or limits differ from their profile's.
-#include "tests/sim/board/board_rig.h"
+#include "tests/machines/sim/board/board_rig.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Zero means that a zero was sent: what write_torques({}) reports, and how soon the board holds it
 // when a send hangs.
-#include "tests/sim/board/board_rig.h"
-#include "tests/sim/fault_lines.h"
+#include "tests/machines/sim/board/board_rig.h"
+#include "tests/machines/sim/fault_lines.h"
 
 #include <algorithm>
 #include <cstdint>

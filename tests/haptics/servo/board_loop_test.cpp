@@ -1,7 +1,7 @@
 // The servo's loop with the driver and an emulated board instead of the simulated pantograph.
 #include "haptics/servo/servo_loop.h"
 #include "tests/haptics/servo/rigs.h"
-#include "tests/sim/board/board_rig.h"
+#include "tests/machines/sim/board/board_rig.h"
 
 #include <cmath>
 #include <memory>

@@ -1,5 +1,5 @@
 // libcamera itself, on a machine with or without a camera: it starts, lists, and refuses cameras
-// that do not exist. tests/system/camera runs it with a camera.
+// that do not exist. tests/machines/system/camera runs it with a camera.
 #include "vision/camera/libcamera_port.h"
 
 #include <filesystem>

@@ -1,6 +1,6 @@
 // Writes the transcripts of all visits in all languages: transcripts OUT.
 #include "tests/app/kiosk/transcripts/visit_plans.h"
-#include "tests/sim/kiosk/house.h"
+#include "tests/machines/sim/kiosk/house.h"
 
 #include <cstdlib>
 #include <exception>

@@ -5,8 +5,8 @@
 #include "app/loading/stages.h"
 #include "app/trace/finding_things.h"
 #include "config/settings/settings_text.h"
-#include "tests/sim/kiosk/due_jobs.h"
-#include "tests/sim/kiosk/house.h"
+#include "tests/machines/sim/kiosk/due_jobs.h"
+#include "tests/machines/sim/kiosk/house.h"
 #include "vision/camera/camera.h"
 
 #include <algorithm>

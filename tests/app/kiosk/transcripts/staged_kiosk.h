@@ -9,7 +9,7 @@
 #include "haptics/device/homing.h"
 #include "tests/app/kiosk/stepped_servo.h"
 #include "tests/app/kiosk/transcripts/transcript.h"
-#include "tests/sim/kiosk/sim_file_source.h"
+#include "tests/machines/sim/kiosk/sim_file_source.h"
 
 #include <filesystem>
 #include <memory>

@@ -1,6 +1,6 @@
 // Tests that whole visits say what people have reviewed, in every language.
 #include "tests/app/kiosk/transcripts/visit_plans.h"
-#include "tests/sim/kiosk/house.h"
+#include "tests/machines/sim/kiosk/house.h"
 
 #include <fstream>
 #include <iterator>

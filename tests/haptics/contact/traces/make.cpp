@@ -1,9 +1,9 @@
 // contact_traces_make writes the reference traces anew. Run it after an intended change of the
 // machine; what git then shows as changed is what the hand would feel.
-#include "tests/bench/workload.h"
 #include "tests/haptics/contact/traces/hands.h"
 #include "tests/haptics/contact/traces/trace.h"
 #include "tests/haptics/scenes.h"
+#include "tests/lab/bench/workload.h"
 
 #include <algorithm>
 #include <cmath>

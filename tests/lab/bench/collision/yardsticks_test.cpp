@@ -1,0 +1,101 @@
+// The structures that Touchline is measured against answer as brute force does: a wrong answer,
+// however quick, is no yardstick.
+#include "tests/lab/bench/collision/brute_force.h"
+#include "tests/lab/bench/collision/grid.h"
+#include "tests/lab/bench/collision/inside.h"
+#include "tests/lab/bench/collision/motions.h"
+#include "tests/lab/bench/collision/plane_proxy.h"
+
+#include <gtest/gtest.h>
+
+namespace touchline::bench {
+namespace {
+
+TEST(BruteForce, FindsTheFirstOfTwoCrossingsAndTheNearestPoint) {
+    const std::vector<Position> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    const BruteForce brute(square);
+    const auto found = brute.first_crossing({-1, 0.5}, {3, 0.5});
+    ASSERT_TRUE(found.has_value());
+    EXPECT_DOUBLE_EQ(found->share, 0.25);
+    EXPECT_EQ(found->edge, 3U);
+    EXPECT_FALSE(brute.first_crossing({-1, 2}, {3, 2}).has_value());
+    EXPECT_DOUBLE_EQ(brute.nearest({0.5, 1.25}).distance_m, 0.25);
+    EXPECT_EQ(brute.nearest({3, 3}).point, (Position{1, 1}));
+}
+
+class GridOnCurves : public testing::TestWithParam<double> {};
+
+TEST_P(GridOnCurves, FirstCrossingsAreThoseOfBruteForce) {
+    for (const auto kind : {workload::Kind::radial, workload::Kind::fractal}) {
+        const auto curve = workload::curve(kind, 4096);
+        const BruteForce brute(curve);
+        const Grid grid(curve, GetParam());
+        int crossings = 0;
+        for (const auto& [from, to] : test_motions(curve, 3000)) {
+            const auto expected = brute.first_crossing(from, to);
+            const auto found = grid.first_crossing(from, to);
+            ASSERT_EQ(found.has_value(), expected.has_value());
+            crossings += found ? 1 : 0;
+            if (found) {
+                ASSERT_EQ(found->share, expected->share);
+            }
+        }
+        EXPECT_GT(crossings, 300);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(EdgesPerCell, GridOnCurves, testing::Values(0.25, 1.0, 4.0, 16.0, 200.0),
+                         [](const auto& test) {
+                             return "Times100Is" +
+                                    std::to_string(static_cast<int>(100.0 * test.param));
+                         });
+
+TEST(Grid, FindsCrossingsAtCornersOfCellsAndMotionsAlongBorders) {
+    // Cells of 1 m, so that borders run through the corners of the square.
+    const std::vector<Position> square{{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+    const Grid grid(square, 0.5);
+    ASSERT_DOUBLE_EQ(grid.cell_m(), 1.0);
+    const BruteForce brute(square);
+    for (const double x : {-1.0, 0.0, 1.0, 2.0}) {
+        for (const double y : {-1.0, 0.0, 1.0, 2.0}) {
+            const auto expected = brute.first_crossing({x, y}, {3.0 - x, 3.0 - y});
+            const auto found = grid.first_crossing({x, y}, {3.0 - x, 3.0 - y});
+            ASSERT_EQ(found.has_value(), expected.has_value()) << x << " " << y;
+            if (found) {
+                EXPECT_EQ(found->share, expected->share) << x << " " << y;
+            }
+            EXPECT_EQ(grid.first_crossing({x, -1.0}, {x, 3.0}).has_value(),
+                      brute.first_crossing({x, -1.0}, {x, 3.0}).has_value());
+        }
+    }
+}
+
+TEST(Inside, AgreesWithTheParityOfCrossings) {
+    const auto curve = workload::curve(workload::Kind::fractal, 512);
+    const Inside is_inside(curve);
+    EXPECT_TRUE(is_inside({0.0, 0.0}));
+    EXPECT_FALSE(is_inside({0.1, 0.0}));
+    for (const auto& [from, to] : test_motions(curve, 1000)) {
+        int crossings = 0;
+        for (std::size_t i = 0; i < curve.size(); ++i) {
+            crossings += crossing_share(from, to - from, edge_of(curve, i)) ? 1 : 0;
+        }
+        EXPECT_EQ(is_inside(from) != is_inside(to), crossings % 2 != 0);
+    }
+}
+
+TEST(PlaneProxy, StopsOutsideAndSlidesToTheHandsFoot) {
+    const std::vector<Position> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    const BruteForce brute(square);
+    PlaneProxy proxy(brute, square);
+    proxy.start({0.5, 1.1});
+    const Position held = proxy.step({0.5, 0.9});
+    EXPECT_NEAR(held.x, 0.5, 1e-7);
+    EXPECT_NEAR(held.y, 1.0 + 1e-8, 1e-12);
+    const Position slid = proxy.step({0.7, 0.8});
+    EXPECT_NEAR(slid.x, 0.7, 1e-7);
+    EXPECT_GT(slid.y, 1.0);
+}
+
+}  // namespace
+}  // namespace touchline::bench

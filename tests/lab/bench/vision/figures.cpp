@@ -1,0 +1,140 @@
+// figures_bench PICTURES TRUTHS SIDE: runs the network "figure" at one size, in pixels a side, on
+// photographs whose main thing somebody has marked: PICTURES/NAME.jpg with PICTURES/NAME-human1.png
+// ... (boundaries), TRUTHS/NAME.png (128 and more: the thing). Prints a row of CSV; the memory is
+// that of this process.
+#include "vision/figure/figures.h"
+
+#include "app/models/networks.h"
+#include "tests/lab/bench/vision/pictures.h"
+#include "vision/contour/rings.h"
+#include "vision/figure/figure_network.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include <opencv2/imgproc.hpp>
+#include <sys/resource.h>
+
+namespace touchline::bench {
+namespace {
+
+constexpr float kNear_px = 2.0F;
+
+struct Score {
+    double overlap = 0.0;         // intersection over union
+    double ring_precision = 0.0;  // of the ring, within two pixels of a boundary that somebody drew
+    double ms = 0.0;
+    bool is_sure = false;
+};
+
+cv::Mat at_size(const cv::Mat1b& mask, cv::Size size) {
+    cv::Mat fitted;
+    cv::resize(mask, fitted, size);
+    return fitted >= 128;
+}
+
+double overlap_of(const cv::Mat& found, const cv::Mat& truth) {
+    return static_cast<double>(cv::countNonZero(found & truth)) /
+           std::max(1, cv::countNonZero(found | truth));
+}
+
+/// Points on the picture's frame are not a boundary of anything.
+double precision_of(const cv::Mat& found, const std::vector<cv::Mat1b>& annotators) {
+    cv::Mat1b free(found.size(), uchar{255});
+    for (const cv::Mat1b& boundary : annotators) free.setTo(0, boundary);
+    cv::Mat1f distance;
+    cv::distanceTransform(free, distance, cv::DIST_L2, 5);
+    cv::Mat1f soft;
+    found.convertTo(soft, CV_32F);
+    int near = 0;
+    int all = 0;
+    const cv::Rect inner(2, 2, found.cols - 4, found.rows - 4);
+    for (const Chain& ring : iso_rings(soft, 127.5F)) {
+        for (const EdgePoint& p : ring.points) {
+            const cv::Point at(cvRound(p.at.x), cvRound(p.at.y));
+            if (!inner.contains(at)) continue;
+            ++all;
+            near += distance(at) <= kNear_px ? 1 : 0;
+        }
+    }
+    return static_cast<double>(near) / std::max(1, all);
+}
+
+Result<Score> score_of(const MarkedPicture& picture, const cv::Mat& truth, FigureNetwork& network,
+                       int side_px) {
+    const auto begin = std::chrono::steady_clock::now();
+    const auto likelihood = network.likelihood(picture.picture, side_px);
+    if (!likelihood) return tl::unexpected(likelihood.error());
+    const Figures figures = figures_of(*likelihood, picture.picture.size());
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
+    const cv::Mat found = at_size(figures.mask, picture.picture.size());
+    return Score{overlap_of(found, truth), precision_of(found, picture.annotators), took.count(),
+                 figures.is_sure};
+}
+
+double middle(std::vector<double> values) {
+    std::ranges::sort(values);
+    return values[values.size() / 2];
+}
+
+template <class Value>
+double mean(const std::vector<Score>& scores, Value value) {
+    double sum = 0.0;
+    for (const Score& score : scores) sum += value(score);
+    return scores.empty() ? 0.0 : sum / static_cast<double>(scores.size());
+}
+
+void print(int side_px, const std::vector<Score>& scores) {
+    std::vector<Score> sure;
+    std::vector<Score> others;
+    std::vector<double> overlaps;
+    std::vector<double> times;
+    for (const Score& score : scores) {
+        (score.is_sure ? sure : others).push_back(score);
+        overlaps.push_back(score.overlap);
+        times.push_back(score.ms);
+    }
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    const auto overlap = [](const Score& score) { return score.overlap; };
+    const auto precision = [](const Score& score) { return score.ring_precision; };
+    std::printf("%d,%zu,%.3f,%.3f,%zu,%.3f,%.3f,%.0f,%ld\n", side_px, scores.size(),
+                mean(scores, overlap), middle(overlaps), sure.size(), mean(sure, precision),
+                mean(others, precision), middle(times), usage.ru_maxrss / 1024);
+}
+
+Result<void> measure(const std::string& pictures, const std::string& truths, int side_px) {
+    const auto marked = pictures_in(pictures, truths);
+    if (!marked) return tl::unexpected(marked.error());
+    const auto bytes = read_network(*network_named("figure"));
+    if (!bytes) return tl::unexpected(bytes.error());
+    auto network = FigureNetwork::from_onnx(*bytes);
+    if (!network) return tl::unexpected(network.error());
+    std::vector<Score> scores;
+    for (const FigurePicture& picture : *marked) {
+        const auto score = score_of(picture.marked, picture.truth >= 128, *network, side_px);
+        if (!score) return tl::unexpected(score.error());
+        scores.push_back(*score);
+    }
+    print(side_px, scores);
+    return {};
+}
+
+}  // namespace
+}  // namespace touchline::bench
+
+int main(int argc, char** argv) {
+    if (argc != 4) {
+        std::fputs("usage: figures_bench PICTURES TRUTHS SIDE\n", stderr);
+        return 2;
+    }
+    const auto done = touchline::bench::measure(argv[1], argv[2], std::atoi(argv[3]));
+    if (done) return 0;
+    std::fprintf(stderr, "%s\n", done.error().line.c_str());
+    return 1;
+}

@@ -1,0 +1,178 @@
+// Accuracy against time: of detectors on marked pictures, of the whole way at several sizes.
+#include "tests/lab/bench/vision/detectors.h"
+#include "tests/lab/bench/vision/pictures.h"
+#include "tests/lab/bench/vision/still.h"
+#include "tests/vision/boundary/boundary_score.h"
+#include "tests/vision/boundary/glyphs.h"
+#include "tests/vision/boundary/line_truth.h"
+#include "tests/vision/pictures/effects.h"
+#include "vision/contour/gradient.h"
+#include "vision/contour/photo_lines.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <limits>
+#include <utility>
+
+#include <fmt/core.h>
+#include <fmt/ostream.h>
+
+namespace touchline::bench {
+namespace {
+
+using testing::boundary_counts;
+using testing::BoundaryCounts;
+using testing::BoundarySweep;
+
+constexpr int kStageRuns = 21;
+
+double cpu_ms() {
+    return 1000.0 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+/// Returns the processor time of one call, the least of three; other programs do not count.
+template <class Call>
+double ms_of(Call&& call) {
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 3; ++i) {
+        const double before = cpu_ms();
+        call();
+        least = std::min(least, cpu_ms() - before);
+    }
+    return least;
+}
+
+double median(std::vector<double> values) {
+    std::ranges::sort(values);
+    return values[values.size() / 2];
+}
+
+void score(const std::string& set, const std::vector<MarkedPicture>& pictures, std::ofstream& csv) {
+    for (const Detector& detector : detectors()) {
+        BoundaryCounts automatic;
+        BoundarySweep sweep;
+        std::vector<double> times;
+        for (const MarkedPicture& marked : pictures) {
+            cv::Mat1b kept;
+            times.push_back(ms_of([&] { kept = detector.automatic(marked.picture); }));
+            automatic += boundary_counts(kept, BoundarySweep::kAutomatic, marked.annotators);
+            sweep.add(detector.ranked(marked.picture), marked.annotators);
+        }
+        fmt::print(csv, "{},{},{},{:.3f},{:.3f},{:.3f},{:.3f},{:.1f}\n", set, detector.name,
+                   detector.setting, automatic.f(), automatic.precision(), automatic.recall(),
+                   sweep.best().f(), median(times));
+        csv.flush();
+    }
+}
+
+/// Measures how much of the automatic lines stays under other light, noise, JPEG and blur.
+void score_repeats(const std::string& set, const std::vector<MarkedPicture>& pictures,
+                   std::ofstream& csv) {
+    std::vector<std::pair<std::string, BoundaryCounts>> counts;
+    for (const MarkedPicture& marked : pictures) {
+        const auto lines = [](const cv::Mat& picture) {
+            return cv::Mat1b(photo_lines(picture, 116.0).edge_strength);
+        };
+        const std::vector<cv::Mat1b> before{testing::thinned(
+            cv::Mat1b(cv::Mat(lines(marked.picture) >= BoundarySweep::kAutomatic)))};
+        const std::vector<testing::Degraded> versions = testing::degraded(marked.picture);
+        counts.resize(versions.size());
+        for (std::size_t i = 0; i < versions.size(); ++i) {
+            counts[i].first = versions[i].name;
+            counts[i].second +=
+                boundary_counts(lines(versions[i].picture), BoundarySweep::kAutomatic, before);
+        }
+    }
+    for (const auto& [name, count] : counts) {
+        fmt::print(csv, "{},{},{:.3f}\n", set, name, count.f());
+    }
+}
+
+/// Traces letters, as a camera of 3 megapixels gives them, at several working sizes.
+void score_sizes(std::ofstream& csv) {
+    const cv::Size full(2000, 1500);
+    constexpr double kShown_mm = 112.0;
+    for (const double megapixels : {0.03, 0.06, 0.12, 0.25, 0.5, 1.0}) {
+        testing::LineAccuracy mean;
+        std::vector<double> times;
+        const auto n = static_cast<double>(testing::letters().size());
+        for (const std::string& letter : testing::letters()) {
+            const std::vector<testing::Polyline> truth =
+                testing::glyph(letter, {}, {1000.0, 750.0}, 1100.0);
+            testing::Canvas canvas(full, {215, 225, 230});
+            canvas.fill(truth, {60, 50, 40});
+            const cv::Mat photo =
+                testing::seen(canvas.picture(), {.blur_px = 2.0, .noise_levels = 6.0});
+            cv::Mat small;
+            PhotoLines found;
+            times.push_back(ms_of([&] {
+                small = reduced(photo, 1e6 * megapixels);
+                found = photo_lines(small, kShown_mm);
+            }));
+            const double scale = static_cast<double>(full.width) / small.cols;
+            for (Chain& chain : found.chains) {
+                for (EdgePoint& p : chain.points) {
+                    p.at = scale * (p.at + cv::Point2d(0.5, 0.5));
+                }
+            }
+            const testing::LineAccuracy accuracy = accuracy_of(found.chains, truth);
+            mean.rms_px += accuracy.rms_px / n;
+            mean.greatest_px += accuracy.greatest_px / n;
+        }
+        const double mm = kShown_mm / full.width;
+        fmt::print(csv, "{},{:.3f},{:.3f},{:.1f}\n", megapixels, mean.rms_px * mm,
+                   mean.greatest_px * mm, median(times));
+    }
+}
+
+bool write_stages(const std::string& results) {
+    std::ofstream stages(results + "/stages.csv");
+    fmt::print(stages, "stage,least_ms,median_ms\n");
+    for (const StageTime& time : still_stages(kStageRuns)) {
+        fmt::print(stages, "{},{:.1f},{:.1f}\n", time.stage, time.least_ms, time.median_ms);
+    }
+    return stages.good();
+}
+
+int run(const std::string& results, const std::string& photos) {
+    std::vector<std::pair<std::string, std::vector<MarkedPicture>>> sets;
+    sets.emplace_back("pictograms", made_pictures());
+    if (!photos.empty()) {
+        Result<std::vector<MarkedPicture>> read = pictures_in(photos);
+        if (!read) {
+            fmt::print(stderr, "{}\n", read.error().line);
+            return EXIT_FAILURE;
+        }
+        sets.emplace_back("photos", std::move(*read));
+    }
+    std::ofstream scores(results + "/detectors.csv");
+    std::ofstream repeats(results + "/repeats.csv");
+    fmt::print(scores, "set,detector,setting,f,precision,recall,best_f,ms\n");
+    fmt::print(repeats, "set,change,f\n");
+    for (const auto& [name, pictures] : sets) {
+        score(name, pictures, scores);
+        score_repeats(name, pictures, repeats);
+    }
+    std::ofstream sizes(results + "/sizes.csv");
+    fmt::print(sizes, "megapixels,rms_mm,hausdorff_mm,ms\n");
+    score_sizes(sizes);
+    return scores && repeats && sizes && write_stages(results) ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+}  // namespace
+}  // namespace touchline::bench
+
+int main(int argc, char** argv) {
+    if (argc < 2 || argc > 3) {
+        fmt::print(stderr, "usage: vision_bench RESULTS [--stages | FOLDER OF MARKED PHOTOS]\n");
+        return 2;
+    }
+    cv::setNumThreads(1);
+    const std::string what = argc > 2 ? argv[2] : "";
+    if (what == "--stages") {
+        return touchline::bench::write_stages(argv[1]) ? EXIT_SUCCESS : EXIT_FAILURE;
+    }
+    return touchline::bench::run(argv[1], what);
+}

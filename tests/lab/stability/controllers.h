@@ -1,0 +1,119 @@
+// Ways to render a wall in one dimension, as in the literature: each sees the quantised position
+// once a period and answers with a force. Inside is x > 0; a wall pushes, so its force is negative
+// there.
+// Threads: plain values, one thread each.
+#pragma once
+
+#include "tests/lab/stability/velocity_estimators.h"
+
+#include <algorithm>
+#include <concepts>
+#include <utility>
+
+namespace touchline::stability {
+
+/// Takes a position in metres every period, and returns the force on the hand in newtons.
+template <class T>
+concept WallController = requires(T controller, double x_m) {
+    { controller.step(x_m) } -> std::convertible_to<double>;
+};
+
+/// C0: F = -K x inside.
+class SpringWall {
+  public:
+    explicit SpringWall(double stiffness_N_per_m) : stiffness_N_per_m_(stiffness_N_per_m) {}
+
+    [[nodiscard]] double step(double x_m) const {
+        return x_m > 0.0 ? -stiffness_N_per_m_ * x_m : 0.0;
+    }
+
+  private:
+    double stiffness_N_per_m_;
+};
+
+/// C1: spring and damper that together only push, because a wall that pulled would stick to the
+/// hand.
+template <VelocityEstimator Estimator>
+class DampedWall {
+  public:
+    DampedWall(double stiffness_N_per_m, double damping_Ns_per_m, Estimator estimator)
+        : stiffness_N_per_m_(stiffness_N_per_m),
+          damping_Ns_per_m_(damping_Ns_per_m),
+          estimator_(std::move(estimator)) {}
+
+    double step(double x_m) {
+        const double damper_N = damping_Ns_per_m_ * estimator_.step(x_m);
+        if (!(x_m > 0.0)) return 0.0;
+        return std::min(-stiffness_N_per_m_ * x_m - damper_N, 0.0);
+    }
+
+  private:
+    double stiffness_N_per_m_;
+    double damping_Ns_per_m_;
+    Estimator estimator_;
+};
+
+/// C2: geometry gives a local model, here the place of the wall, once in several periods of a
+/// spring that runs on its own.
+class LocalModelWall {
+  public:
+    /// geometry_every: at least 1 period of the spring.
+    LocalModelWall(double stiffness_N_per_m, int geometry_every)
+        : spring_(stiffness_N_per_m), geometry_every_(geometry_every) {}
+
+    /// wall_m: where the wall is now; noticed only when geometry is due.
+    double step(double x_m, double wall_m = 0.0);
+
+  private:
+    SpringWall spring_;
+    int geometry_every_;
+    int since_geometry_ = 0;
+    double known_wall_m_ = 0.0;
+};
+
+/// C3: time-domain passivity (Hannaford and Ryu). An observer adds up the energy that the wall has
+/// taken. If that is negative, it adds a damper of just the size to make up for it.
+class EnergyObserverWall {
+  public:
+    /// most_damping: cap of the damper (Ns/m), without which it explodes at low speed. credit_J:
+    /// saved before.
+    EnergyObserverWall(double stiffness_N_per_m, double period_s, double start_m,
+                       double most_damping_Ns_per_m, double credit_J = 0.0)
+        : spring_(stiffness_N_per_m),
+          period_s_(period_s),
+          most_damping_Ns_per_m_(most_damping_Ns_per_m),
+          taken_J_(credit_J),
+          last_m_(start_m) {}
+
+    double step(double x_m);
+
+  private:
+    SpringWall spring_;
+    double period_s_;
+    double most_damping_Ns_per_m_;
+    double taken_J_;
+    double last_m_;
+    double last_N_ = 0.0;
+};
+
+/// C4: energy bounding (after Kim and Ryu, simplified): the force changes at most by the motion
+/// times a slope that the device's damping can pay for.
+class SlopeBoundWall {
+  public:
+    SlopeBoundWall(double stiffness_N_per_m, double start_m, double slope_N_per_m)
+        : spring_(stiffness_N_per_m), slope_N_per_m_(slope_N_per_m), last_m_(start_m) {}
+
+    double step(double x_m);
+
+  private:
+    SpringWall spring_;
+    double slope_N_per_m_;
+    double last_m_;
+    double last_N_ = 0.0;
+};
+
+static_assert(WallController<SpringWall> && WallController<DampedWall<FilteredDifference>> &&
+              WallController<LocalModelWall> && WallController<EnergyObserverWall> &&
+              WallController<SlopeBoundWall>);
+
+}  // namespace touchline::stability

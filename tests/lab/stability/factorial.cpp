@@ -1,0 +1,140 @@
+#include "tests/lab/stability/factorial.h"
+
+#include "haptics/servo/loop_settings.h"
+#include "tests/lab/stability/cell.h"
+#include "tests/lab/stability/for_each_index.h"
+#include "tests/lab/stability/hands.h"
+
+#include <cmath>
+
+#include <fmt/core.h>
+
+namespace touchline::stability {
+namespace {
+
+constexpr double high_m = 0.01;  // above the wall, at first
+constexpr double press_N = 1.0;
+constexpr double speed_m_per_s = 0.2;
+constexpr double armed_s = 0.9;
+constexpr double slide_m = 0.02;
+constexpr double span_s = 4.0;
+constexpr double tail_s = 0.5;
+
+Faults faults_of(const std::string& name) {
+    Faults faults;
+    const bool is_all = name == "all";
+    if (is_all || name == "scale") faults.arm_1_scale_error = 0.015;
+    if (is_all || name == "friction") faults.friction_factor = 2.0;
+    if (is_all || name == "noise") faults.torque_noise = 0.05;
+    if (is_all || name == "late") faults.late_share = 0.01;
+    return faults;
+}
+
+ShippedLoop loop_of(const FactorialCase& each) {
+    ShippedLoop loop;
+    loop.profile = find_profile(each.profile).value();
+    loop.period_s = each.period_s;
+    loop.delay_s = each.delay_periods * each.period_s;
+    loop.hand = loop_hand(each.hand);
+    loop.faults = faults_of(each.fault);
+    const LoopSettings settings = loop_settings(loop.profile, loop.period_s, 0.0);
+    loop.stiffness_N_per_m =
+        each.is_stiffest ? settings.largest_stiffness_N_per_m : settings.stiffness_N_per_m;
+    return loop;
+}
+
+/// Returns a place along the wall and away from it.
+Position placed(double along_m, double away_m, bool is_upright) {
+    return is_upright ? Position{away_m, along_m} : Position{along_m, away_m};
+}
+
+std::shared_ptr<const IntendedPath> press_hold_slide_hold(const ShippedLoop& loop,
+                                                          bool is_upright) {
+    const double deep_m =
+        press_N * (1.0 / loop.hand.stiffness_N_per_m + 1.0 / loop.stiffness_N_per_m);
+    const double down_s = armed_s + (high_m + deep_m) / speed_m_per_s;
+    const auto at = [&](double along_m, double away_m) {
+        return placed(along_m, away_m, is_upright);
+    };
+    return std::make_shared<WaypointPath>(std::vector<WaypointPath::Waypoint>{
+        {armed_s, at(-0.5 * slide_m, high_m)},
+        {down_s, at(-0.5 * slide_m, -deep_m)},
+        {down_s + 0.8, at(-0.5 * slide_m, -deep_m)},
+        {down_s + 1.2, at(0.5 * slide_m, -deep_m)},
+    });
+}
+
+Scene wall(bool is_upright) {
+    TactileMap map;
+    map.outlines.push_back({});
+    map.outlines.back().points = {placed(-0.03, 0.0, is_upright), placed(0.03, 0.0, is_upright)};
+    return build_scene(map, {}, 0.0).value();
+}
+
+}  // namespace
+
+const HandModel& loop_hand(const std::string& name) {
+    return name == "none" ? soft_press : hand_by_name(name);
+}
+
+std::vector<FactorialCase> factorial(const std::vector<double>& delays) {
+    std::vector<FactorialCase> cases;
+    for (const DeviceProfile& profile : device_profiles()) {
+        for (const double period_s : {2e-3, 1e-3, 2.5e-4}) {
+            for (const double delay : delays) {
+                for (const char* hand : loop_hands) {
+                    for (const char* fault :
+                         {"none", "scale", "friction", "noise", "late", "all"}) {
+                        for (const bool is_stiffest : {false, true}) {
+                            for (const bool is_upright : {false, true}) {
+                                cases.push_back({std::string(profile.name), period_s, delay, hand,
+                                                 fault, is_stiffest, is_upright});
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+    return cases;
+}
+
+bool shakes(const FactorialResult& result) {
+    return result.extent_m > 20e-6 && result.extent_steps > 2.0 && result.ripple_N > 0.02;
+}
+
+FactorialResult measure(const FactorialCase& each) {
+    const ShippedLoop loop = loop_of(each);
+    const Scene scene = wall(each.is_upright);
+    const LoopTrace trace = run(loop, scene, press_hold_slide_hold(loop, each.is_upright), span_s);
+    FactorialResult result;
+    result.stiffness_N_per_m = loop.stiffness_N_per_m;
+    result.extent_m = extent_m(trace, span_s - tail_s);
+    result.extent_steps = result.extent_m / encoder_step_m(loop.profile);
+    result.ripple_N = ripple_N(trace, span_s - tail_s);
+    result.least_gain = trace.least_gain;
+    result.generated_J = trace.generated_J;
+    result.bound_J = trace.bound_J;
+    for (const Position proxy : trace.place) {
+        result.is_through |= (each.is_upright ? proxy.x : proxy.y) < -1e-6;
+    }
+    return result;
+}
+
+std::vector<FactorialResult> measure_all(const std::vector<FactorialCase>& cases) {
+    std::vector<FactorialResult> results(cases.size());
+    for_each_index(cases.size(), [&](std::size_t i) { results[i] = measure(cases[i]); });
+    return results;
+}
+
+std::string csv_line(const FactorialCase& each, const FactorialResult& result) {
+    return fmt::format(
+        "{},{:g},{:g},{},{},{},{},{:.4g},{:.3g},{:.3g},{:.3g},{:.3g},{:.3g},{:.3g},{},{}",
+        each.profile, 1e3 * each.period_s, each.delay_periods, each.hand, each.fault,
+        each.is_stiffest ? "stiffest" : "default", each.is_upright ? "upright" : "level",
+        result.stiffness_N_per_m, 1e6 * result.extent_m, result.extent_steps, result.ripple_N,
+        result.least_gain, result.generated_J, result.bound_J, result.is_through ? 1 : 0,
+        shakes(result) ? 1 : 0);
+}
+
+}  // namespace touchline::stability

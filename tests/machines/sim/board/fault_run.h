@@ -1,0 +1,56 @@
+// One run of driver, link and emulated board with one fault at a moment that the seed chooses, and
+// its outcome. Threads: pure.
+#pragma once
+
+#include "haptics/device/pantograph_board.h"
+#include "tests/machines/sim/board/emulated_link.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace touchline {
+
+/// What can go wrong in a run: the link, or the driver's arguments.
+struct FaultKind {
+    std::string_view name;
+    LinkFault link = LinkFault::none;
+    double longest_s = 0.0;  // the seed says how late
+    bool is_torque_not_finite = false;
+    double clock_step_s = 0.0;
+    double stall_s = 0.0;  // the loop stands still
+};
+
+[[nodiscard]] std::span<const FaultKind> fault_kinds();
+
+struct FaultRun {
+    bool was_noticed = false;    // the driver did not go on as if nothing had happened
+    double zero_s = 0.0;         // from when the fault could be seen to zero torque told
+    double recovery_s = 0.0;     // from the fault until angles came and torque went again
+    bool has_recovered = false;  // by itself; if not, another driver reopened it, plugged in again
+    bool has_reopened = false;   // after `lost`
+    double reopened_s = 0.0;     // from the fault, if the plug is put back at once
+    BoardState worst = BoardState::ready;
+    bool is_position_doubtful = false;
+    double largest_error_counts =
+        0.0;                    // of angles given out, unless doubtful; beyond a tick's motion
+    bool is_broken = false;     // the board was told what it must never be told
+    bool is_left_zero = false;  // after stop
+};
+
+/// Returns the time from a moment to the first zero after it: 0 if torque was zero already, nothing
+/// if torque went on, or went on longer than within_s.
+[[nodiscard]] std::optional<double> time_to_zero(const std::vector<TorqueChange>& changes,
+                                                 double from_s, double within_s = never_s);
+
+/// Names the worst state, for a table.
+[[nodiscard]] std::string words_of(BoardState state, bool is_position_doubtful);
+[[nodiscard]] std::string words_of(const FaultRun& run);
+
+/// Opens, moves a hand and pushes for 0.1 s, causes the fault, goes on for up to 5 s, stops.
+[[nodiscard]] FaultRun run_fault(const FaultKind& kind, std::uint64_t seed);
+
+}  // namespace touchline

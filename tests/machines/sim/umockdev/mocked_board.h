@@ -1,0 +1,82 @@
+// The emulated board behind libusb: umockdev shows this process a USB device whose system calls end
+// here. The process must run under umockdev-wrapper. Real time drives the emulator.
+#pragma once
+
+#include "tests/machines/sim/board/board_emulator.h"
+#include "tests/machines/sim/umockdev/usb_requests.h"
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include <umockdev.h>
+
+namespace touchline {
+
+/// The whole mocked USB of this process. Threads: calls from one; umockdev's own thread answers.
+class MockedUsb {
+  public:
+    MockedUsb();
+    ~MockedUsb();
+    MockedUsb(const MockedUsb&) = delete;
+    MockedUsb(MockedUsb&&) = delete;
+    MockedUsb& operator=(const MockedUsb&) = delete;
+    MockedUsb& operator=(MockedUsb&&) = delete;
+
+    [[nodiscard]] UMockdevTestbed* testbed() { return testbed_; }
+
+    /// Returns where its files really are.
+    [[nodiscard]] std::string folder() const;
+
+    /// Returns a device's node, as programs see it.
+    [[nodiscard]] static std::string node_of(int device_number);
+
+    /// From now on udev shows the board, with its descriptors. port: of the only hub, 1 to 9.
+    void show(const BoardEmulator& board, int port, int device_number);
+
+  private:
+    UMockdevTestbed* testbed_;
+};
+
+/// A board on the mocked USB, plugged in at once. Threads: as MockedUsb.
+class MockedBoard {
+  public:
+    /// port: of the only hub, 1 to 9. path: the hand's; none: it rests at home.
+    MockedBoard(MockedUsb& usb, const BoardTruth& truth, int port = 1,
+                std::shared_ptr<const IntendedPath> path = nullptr);
+    ~MockedBoard();
+    MockedBoard(const MockedBoard&) = delete;
+    MockedBoard(MockedBoard&&) = delete;
+    MockedBoard& operator=(const MockedBoard&) = delete;
+    MockedBoard& operator=(MockedBoard&&) = delete;
+
+    void unplug();
+    /// Plugs the board in under another device number.
+    void plug();
+
+    /// Returns the current device number.
+    [[nodiscard]] int device_number() const { return device_number_; }
+
+    /// Returns its node, as programs see it.
+    [[nodiscard]] std::string node() const;
+
+    /// Calls `look` while the board is at rest and its clock is at now.
+    void with(const std::function<void(BoardEmulator&, UsbFaults&)>& look);
+
+  private:
+    static gboolean on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer board);
+    void show();
+
+    MockedUsb& usb_;
+    int port_;
+    int device_number_ = 1;
+    std::string path_;  // in sysfs, while plugged in
+    std::mutex mutex_;  // guards board_, requests_
+    BoardEmulator board_;
+    UsbRequests requests_;
+    double start_s_;
+    UMockdevIoctlBase* handler_ = nullptr;
+};
+
+}  // namespace touchline
