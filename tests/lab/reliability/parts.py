@@ -190,7 +190,7 @@ def exclusions():
         (27, f'test programs that {s} leaves out', f'{len(programs)} of {len(all_programs)}', '-', None,
          'tests/lab/reliability/run exclusions; each runs in the build without sanitizers, tests/run')
         for s, programs in left_out.items()])
-    (figures.HERE / 'results/exclusions.md').write_text('\n'.join(page) + '\n')
+    (OUT / 'exclusions.md').write_text('\n'.join(page) + '\n')
 
 
 PARTS = {'coverage': coverage, 'hazards': hazard_rows, 'instructions': instructions, 'workers': workers,

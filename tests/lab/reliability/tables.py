@@ -1,4 +1,4 @@
-"""Gathers build/reliability/*.csv into results, and writes the tables of the pages into build/reliability/tables."""
+"""Gathers build/reliability/*.csv into results/figures.csv, and writes the tables of the pages into build/reliability/tables."""
 import csv
 import datetime
 import os
@@ -12,7 +12,6 @@ import figures  # noqa: E402
 import hazards  # noqa: E402
 
 RESULTS = figures.HERE / 'results'
-PARTS = RESULTS / 'parts.csv'
 TABLES = figures.OUT / 'tables'
 UNMEASURED = 'not measured yet'
 
@@ -30,41 +29,42 @@ def commit():
     return said.stdout.strip() or 'unknown'
 
 
-def kept_parts():
-    if not PARTS.exists():
-        return {}
-    with open(PARTS, newline='') as file:
-        return {row['part']: row for row in csv.DictReader(file)}
+def kept(name):
+    """The rows of a file of results."""
+    path = RESULTS / f'{name}.csv'
+    if not path.exists():
+        return []
+    with open(path, newline='') as file:
+        return list(csv.DictReader(file))
+
+
+def keep(name, columns, rows):
+    with open(RESULTS / f'{name}.csv', 'w', newline='') as file:
+        out = csv.DictWriter(file, columns, lineterminator='\n')
+        out.writeheader()
+        out.writerows(rows)
 
 
 def gather():
-    """New results take the place of the old ones; where they come from is kept beside them."""
-    parts = kept_parts()
+    """(figures, parts): a part's new figures take the place of its old ones; where they come from is kept beside them."""
+    rows, parts = kept('figures'), {row['part']: row for row in kept('parts')}
     for path in sorted(figures.OUT.glob('*.csv')):
-        if not figures.read(path):
+        part = path.stem
+        new = [dict(row, part=part, how=re.sub(r'(?<![\w.])/[\w./-]*?/build/', 'build/', row['how'])) for row in figures.read(path)]
+        if not new or new == [row for row in rows if row['part'] == part]:
             continue
-        text = re.sub(r'(?<![\w.])/[\w./-]*?/build/', 'build/', path.read_text())
-        kept = RESULTS / path.name
-        if kept.exists() and kept.read_text() == text:
-            continue
-        kept.write_text(text)
+        rows = [row for row in rows if row['part'] != part] + new
         date = datetime.date.fromtimestamp(path.stat().st_mtime).isoformat()
-        parts[path.stem] = {'part': path.stem, 'machine': machine(), 'commit': commit(), 'date': date}
-    with open(PARTS, 'w', newline='') as file:
-        out = csv.DictWriter(file, ['part', 'machine', 'commit', 'date'], lineterminator='\n')
-        out.writeheader()
-        out.writerows(parts[name] for name in sorted(parts))
-    return parts
+        parts[part] = {'part': part, 'machine': machine(), 'commit': commit(), 'date': date}
+    rows.sort(key=lambda row: row['part'])
+    keep('figures', ['part', *figures.COLUMNS], rows)
+    keep('parts', ['part', 'machine', 'commit', 'date'], [parts[name] for name in sorted(parts)])
+    return rows, parts
 
 
-def all_figures():
-    found = []
-    for path in sorted(RESULTS.glob('*.csv')):
-        found += [dict(row, part=path.stem) for row in figures.read(path)]
-    unproven = (figures.HERE / 'unproven.txt').read_text().splitlines()
-    found += [dict(zip(figures.COLUMNS, ('28', text.split(':')[0], text.split(': ', 1)[1], '-', '-', 'words')), part='')
-              for text in unproven]
-    return found
+def unproven():
+    return [dict(zip(figures.COLUMNS, ('28', text.split(':')[0], text.split(': ', 1)[1], '-', '-', 'words')), part='')
+            for text in (figures.HERE / 'unproven.txt').read_text().splitlines()]
 
 
 def cell(text):
@@ -166,8 +166,8 @@ def main():
     TABLES.mkdir(parents=True, exist_ok=True)
     if (figures.OUT / 'tests.xml').exists():
         hazards.keep(figures.OUT / 'tests.xml')
-    parts = gather()
-    rows = all_figures()
+    rows, parts = gather()
+    rows += unproven()
     table, ends = row_table(rows)
     save('reliability-rows', [*table, '', words_of(ends)])
     save('reliability', [words_of(ends) + ' [The table](tests/lab/reliability/README.md) names each,',
@@ -175,8 +175,9 @@ def main():
     save('reliability-figures', figure_table(rows, parts))
     save('reliability-hazards', hazard_table(rows))
     save('reliability-faults', fault_table())
-    listing = RESULTS / 'exclusions.md'
-    save('reliability-exclusions', listing.read_text().splitlines() if listing.exists() else [UNMEASURED])
+    listing = figures.OUT / 'exclusions.md'
+    if listing.exists():
+        save('reliability-exclusions', listing.read_text().splitlines())
     print(words_of(ends))
 
 
