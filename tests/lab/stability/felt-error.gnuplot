@@ -1,5 +1,5 @@
-# Total felt error against servo rate, with the best of all levels and its least. Set results, dat and kind with gnuplot -e.
-if (kind eq "svg") { set terminal svg size 1200,860 font "DejaVu Sans,12" background "white" } else { set terminal pngcairo size 1200,860 font "DejaVu Sans,10" background "white" }
+# Total felt error against servo rate, with the best of all levels and its least. Set results and dat with gnuplot -e.
+set terminal svg size 1200,860 font "DejaVu Sans,12" background "white"
 set datafile separator ","
 set encoding utf8
 set grid xtics ytics lc rgb "#dddddd"
@@ -10,7 +10,7 @@ set yrange [0.5:15]
 set ytics (0.5, 1, 2, 5, 10)
 set xlabel "servo rate, Hz"
 set ylabel "felt error at 1 N and 0.1 m/s, mm"
-set output results."/felt_error.".kind
+set output results."/felt_error.svg"
 at(p, s, l) = sprintf("< awk -F, '$1 == \"%s\" && $2 == %s && $4 == \"%s\"' %s", p, s, l, dat)
 colours = "#000000 #0072b2 #009e73 #8c6d00"
 set multiplot layout 2,2 title "What is felt is off by indentation, level, encoder and lag; a level's line ends where a step takes 0.3 of the period"

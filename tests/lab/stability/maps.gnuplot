@@ -1,5 +1,5 @@
-# The stability maps with the limits of theory drawn over them. Set results and kind ("svg" or "png") with gnuplot -e.
-if (kind eq "svg") { set terminal svg size 1200,860 font "DejaVu Sans,12" background "white" } else { set terminal pngcairo size 1200,860 font "DejaVu Sans,10" background "white" }
+# The stability maps with the limits of theory drawn over them. Set results with gnuplot -e.
+set terminal svg size 1200,860 font "DejaVu Sans,12" background "white"
 set datafile separator ","
 set datafile missing "inf"
 set encoding utf8
@@ -20,7 +20,7 @@ set logscale y
 set format y "%.0f"
 
 methods = "spring|spring + LP100|spring + FOAW16|local model|energy observer|slope bound"
-set output results."/period.".kind
+set output results."/period.svg"
 set multiplot layout 2,2 title "Largest stiffness that comes to rest, by method"
 set logscale x
 set xtics (0.25, 0.5, 1, 2, 4)
@@ -39,7 +39,7 @@ do for [hand in "none light"] { do for [delay in "0 1"] {
 unset multiplot
 
 filters = "spring + difference|spring + LP100|spring + FOAW16"
-set output results."/damping.".kind
+set output results."/damping.svg"
 set multiplot layout 2,2 title "Largest stiffness that comes to rest against virtual damping, device alone, encoder 20 µm"
 unset logscale x
 set xtics auto
@@ -58,7 +58,7 @@ do for [period in "2 1"] { do for [delay in "0 1"] {
 } }
 unset multiplot
 
-set output results."/encoder.".kind
+set output results."/encoder.svg"
 set multiplot layout 1,2 title "Largest stiffness that comes to rest against encoder step, light hand, 1 kHz, no delay"
 set xrange [0:155]
 set yrange [200:20000]
@@ -77,7 +77,7 @@ do for [m in "1 2"] {
 }
 unset multiplot
 
-set output results."/hands.".kind
+set output results."/hands.svg"
 set xtics rotate by -18 font ",9"
 set multiplot layout 2,1 title "Largest stiffness that comes to rest by hand, 1 kHz"
 set xrange [-0.6:10.6]
@@ -98,7 +98,7 @@ do for [m in "1 2"] {
 }
 unset multiplot
 
-set output results."/knock.".kind
+set output results."/knock.svg"
 set xtics norotate font ",10"
 set multiplot layout 1,2 title "Spring alone, device alone, 1 kHz: a knock on a pressed tip grows above the points"
 set logscale x

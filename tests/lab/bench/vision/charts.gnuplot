@@ -1,7 +1,7 @@
 # F against milliseconds of each detector and setting; Hausdorff distance against milliseconds at each working size.
-# results, format (svg or png) are given.
+# results is given.
 set datafile separator ','
-if (format eq 'svg') set terminal svg size 1000,520 font 'DejaVu Sans,13' background 'white'; else set terminal pngcairo size 1000,520 font 'DejaVu Sans,11'
+set terminal svg size 1000,520 font 'DejaVu Sans,13' background 'white'
 set style line 1 lc rgb '#0072b2' pt 7 ps 1.1
 set style line 2 lc rgb '#d55e00' pt 5 ps 1.1
 set style line 3 lc rgb '#009e73' pt 9 ps 1.3
@@ -15,7 +15,7 @@ detectors = results . '/detectors.csv'
 of(set_, name) = (stringcolumn(1) eq set_ && stringcolumn(2) eq name) ? column(4) : NaN
 has_photos = int(system("grep -c '^photos' " . detectors)) > 0
 
-set output results . '/detectors.' . format
+set output results . '/detectors.svg'
 set multiplot layout 1, (has_photos ? 2 : 1)
 set ylabel 'boundary F, automatic setting'
 set key bottom right box opaque
@@ -30,7 +30,7 @@ do for [pictures in (has_photos ? 'photos pictograms' : 'pictograms')] {
 }
 unset multiplot
 
-set output results . '/sizes.' . format
+set output results . '/sizes.svg'
 set title 'letters photographed with 3 megapixels, traced at several working sizes'
 set ylabel 'millimetres at the handle'
 set logscale y
@@ -40,7 +40,7 @@ plot results . '/sizes.csv' using 4:3 skip 1 with linespoints ls 1 title 'Hausdo
      '' using 4:2 skip 1 with linespoints ls 2 title 'RMS', \
      '' using 4:3:(sprintf('%g MP', column(1))) skip 1 with labels offset 0,1 notitle
 
-set output results . '/figures.' . format
+set output results . '/figures.svg'
 set title 'main things of 22 photographs, at several sizes of the picture that the network sees'
 set xlabel 'milliseconds a picture (by the clock, two processors)'
 set ylabel 'overlap with people'
@@ -51,7 +51,7 @@ plot results . '/figures.csv' using 8:3 skip 1 with linespoints ls 1 title 'mean
      '' using 8:4 skip 1 with linespoints ls 2 title 'median', \
      '' using 8:3:(sprintf('%d', column(1))) skip 1 with labels offset 0,1 notitle
 
-set output results . '/names.' . format
+set output results . '/names.svg'
 set title 'names of things, with all limits moved up and down together'
 set xlabel 'percent of the pictures with a nameable thing that are named'
 set ylabel 'wrong words in 100 pictures'
@@ -65,7 +65,7 @@ plot of_looks(1) using 2:3 with linespoints ls 2 title 'one look', \
      '' using (column(1) == 0 ? column(2) : NaN):3 with points pt 6 ps 2.5 lc rgb '#000000' title 'as it ships'
 set logscale x
 
-set output results . '/drawings.' . format
+set output results . '/drawings.svg'
 set title 'charts and plans, traced at several working sizes'
 set xlabel 'milliseconds a picture (from the file to the map, by the clock)'
 set ylabel 'percent of the line'
