@@ -1,10 +1,10 @@
-# Errors, noise and times of the methods. Set results with gnuplot -e.
+# Errors, noise and times of the methods. Set results and work with gnuplot -e.
 set datafile separator ","
 set encoding utf8
 methods = "13/7|Haar|5/3|9/7|subsampling|Douglas-Peucker|Visvalingam"
 name(i) = system(sprintf("echo '%s' | cut -d'|' -f%d", methods, i))
-row(file, i) = sprintf("< awk -F, '$1 == \"%s\"' %s/%s.csv", name(i), results, file)
-noisy(i, noise) = sprintf("< awk -F, '$1 == \"%s\" && $2 == \"%s\" && $3 != \"denoised\"' %s/curve_noise.csv", noise, name(i), results)
+row(file, i) = sprintf("< awk -F, '$1 == \"%s\"' %s/%s.csv", name(i), work, file)
+noisy(i, noise) = sprintf("< awk -F, '$1 == \"%s\" && $2 == \"%s\" && $3 != \"denoised\"' %s/curve_noise.csv", noise, name(i), work)
 width(i) = i == 1 ? 3 : 1.5
 set logscale xy
 set grid xtics ytics lc rgb "#dddddd"

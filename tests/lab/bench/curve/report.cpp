@@ -47,7 +47,7 @@ std::string Table::markdown() const {
 }
 
 Result<void> write_csv(const Folders& folders, const std::string& name, const Table& table) {
-    return write_whole_file(folders.results + "/" + name + ".csv", table.csv());
+    return write_whole_file(folders.work + "/" + name + ".csv", table.csv());
 }
 
 Result<void> write_words(const Folders& folders, const std::string& name, const std::string& text) {
