@@ -18,7 +18,7 @@ strangers() {
 without_readme() {
     local folder
     for folder in . "${folders[@]}" {config,vision,haptics,audio-cues,app}/*/ \
-        tests/lab/*/ tests/machines/*/ tests/{fuzz,data,lint}; do
+        tests/{lab,machines}{,/*}/ tests/{fuzz,data,lint}; do
         folder=${folder%/}
         [[ -f $folder/README.md || -z $(find "$folder" -type f ! -name CMakeLists.txt -print -quit 2>/dev/null) ]] ||
             echo "$folder: has no README.md"

@@ -1,4 +1,4 @@
-// The benchmark's command line; tests/lab/bench/run calls it.
+// The benchmark's command line; tests/lab/bench/collision/run calls it.
 #include "tests/lab/bench/collision/report.h"
 
 #include <CLI/CLI.hpp>

@@ -1,4 +1,4 @@
-// Measures the curves and writes what tests/lab/bench/charts draws: curve_bench RESULTS WORK.
+// Measures the curves and writes what tests/lab/bench/curve/run draws: curve_bench RESULTS WORK.
 #include "tests/lab/bench/curve/sections.h"
 
 #include <filesystem>

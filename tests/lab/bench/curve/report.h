@@ -11,7 +11,7 @@ namespace touchline::bench {
 
 struct Folders {
     std::string results;  // pictures, kept
-    std::string work;     // NAME.md: the text between the marks of the README; NAME.csv, .dat: to plot
+    std::string work;  // NAME.md: the text between the marks of the README; NAME.csv, .dat: to plot
 };
 
 /// Rows of cells under a header, all with the same number of cells.
