@@ -1,4 +1,4 @@
-// Writes the transcripts of all visits in all languages: transcripts OUT.
+// Writes the transcripts of all visits, a page for each language: transcripts OUT.
 #include "tests/app/kiosk/transcripts/visit_plans.h"
 #include "tests/machines/sim/kiosk/house.h"
 
@@ -13,12 +13,14 @@ namespace {
 
 void write_transcripts(const std::filesystem::path& folder) {
     std::filesystem::create_directories(folder);
-    for (const VisitPlan& plan : visit_plans()) {
-        for (const Language& language : all_languages()) {
-            const std::string& code = language.code();
-            const std::string text = text_of(act_out(plan, code), code);
-            std::ofstream(folder / file_of(plan, code)) << text;
+    for (const Language& language : all_languages()) {
+        const std::string& code = language.code();
+        std::string page;
+        for (const VisitPlan& plan : visit_plans()) {
+            page +=
+                (page.empty() ? "" : "\n") + heading_of(plan) + text_of(act_out(plan, code), code);
         }
+        std::ofstream(folder / (code + ".txt")) << page;
     }
 }
 

@@ -274,14 +274,14 @@ Transcript act_out(const VisitPlan& plan, const std::string& language) {
     try {
         plan.act(kiosk);
     } catch (const std::runtime_error& error) {
-        throw std::runtime_error(file_of(plan, language) + ": " + error.what() + " after\n" +
-                                 text_of(kiosk.transcript(), language));
+        throw std::runtime_error(language + ", " + std::string(plan.name) + ": " + error.what() +
+                                 " after\n" + text_of(kiosk.transcript(), language));
     }
     return kiosk.transcript();
 }
 
-std::string file_of(const VisitPlan& plan, const std::string& language) {
-    return std::string(plan.name) + '.' + language + ".txt";
+std::string heading_of(const VisitPlan& plan) {
+    return "# " + std::string(plan.name) + "\n\n";
 }
 
 }  // namespace touchline

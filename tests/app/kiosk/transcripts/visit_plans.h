@@ -23,7 +23,7 @@ struct VisitPlan {
 /// the kiosk does not offer what the plan chooses.
 [[nodiscard]] Transcript act_out(const VisitPlan& plan, const std::string& language);
 
-/// Returns a name such as "first-visit.en.txt".
-[[nodiscard]] std::string file_of(const VisitPlan& plan, const std::string& language);
+/// Returns the line above a visit in the page of a language, "# first-visit", and the empty line.
+[[nodiscard]] std::string heading_of(const VisitPlan& plan);
 
 }  // namespace touchline
