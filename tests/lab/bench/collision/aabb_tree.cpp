@@ -1,4 +1,4 @@
-#include "tests/lab/bench/collision/aabb_tree.h"
+#include "tests/lab/bench/collision/peers.h"
 
 #include <vector>
 

@@ -1,4 +1,4 @@
-#include "tests/lab/bench/collision/box2d_scene.h"
+#include "tests/lab/bench/collision/peers.h"
 
 #include <vector>
 

@@ -1,14 +1,11 @@
 // The servo step and its queries beside other structures, with the same curves, hand, judge and
 // flags.
-#include "tests/lab/bench/collision/aabb_tree.h"
-#include "tests/lab/bench/collision/box2d_scene.h"
 #include "tests/lab/bench/collision/brute_force.h"
+#include "tests/lab/bench/collision/crossing.h"
 #include "tests/lab/bench/collision/grid.h"
-#include "tests/lab/bench/collision/inside.h"
-#include "tests/lab/bench/collision/plane_proxy.h"
+#include "tests/lab/bench/collision/peers.h"
 #include "tests/lab/bench/collision/queries.h"
 #include "tests/lab/bench/collision/report.h"
-#include "tests/lab/bench/collision/rtree.h"
 #include "tests/lab/bench/collision/touchline_rows.h"
 
 #include <algorithm>

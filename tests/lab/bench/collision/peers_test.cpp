@@ -1,10 +1,8 @@
 // The benchmark uses the other libraries rightly: their answers are those of brute force.
-#include "tests/lab/bench/collision/aabb_tree.h"
-#include "tests/lab/bench/collision/box2d_scene.h"
+#include "tests/lab/bench/collision/peers.h"
+
 #include "tests/lab/bench/collision/brute_force.h"
-#include "tests/lab/bench/collision/inside.h"
 #include "tests/lab/bench/collision/motions.h"
-#include "tests/lab/bench/collision/rtree.h"
 
 #include <gtest/gtest.h>
 

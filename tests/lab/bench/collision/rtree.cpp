@@ -1,4 +1,4 @@
-#include "tests/lab/bench/collision/rtree.h"
+#include "tests/lab/bench/collision/peers.h"
 
 #include <cmath>
 #include <iterator>

@@ -1,6 +1,6 @@
 // What a coarser level or a smaller budget costs in force and place, and what it saves: the shipped
 // servo step against itself at level 0 without a budget.
-#include "tests/lab/bench/collision/inside.h"
+#include "tests/lab/bench/collision/brute_force.h"
 #include "tests/lab/bench/collision/report.h"
 #include "tests/lab/bench/collision/touchline_rows.h"
 

@@ -1,10 +1,9 @@
 // The structures that Touchline is measured against answer as brute force does: a wrong answer,
 // however quick, is no yardstick.
 #include "tests/lab/bench/collision/brute_force.h"
+#include "tests/lab/bench/collision/crossing.h"
 #include "tests/lab/bench/collision/grid.h"
-#include "tests/lab/bench/collision/inside.h"
 #include "tests/lab/bench/collision/motions.h"
-#include "tests/lab/bench/collision/plane_proxy.h"
 
 #include <gtest/gtest.h>
 

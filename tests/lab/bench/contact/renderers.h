@@ -4,7 +4,7 @@
 
 #include "haptics/contact/contact_machine.h"
 #include "tests/lab/bench/collision/brute_force.h"
-#include "tests/lab/bench/collision/plane_proxy.h"
+#include "tests/lab/bench/collision/crossing.h"
 
 #include <vector>
 
@@ -48,7 +48,7 @@ class Machine final : public Renderer {
     ContactMachine machine_;
 };
 
-/// plane_proxy.h over every edge of a closed curve.
+/// The plain proxy of crossing.h over every edge of a closed curve.
 class PlainProxy final : public Renderer {
   public:
     /// `curve` must outlive the proxy.

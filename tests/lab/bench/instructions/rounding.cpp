@@ -3,7 +3,7 @@
 // Markdown.
 #include "haptics/collision/touch.h"
 #include "tests/exact/orientation.h"
-#include "tests/lab/bench/collision/inside.h"
+#include "tests/lab/bench/collision/brute_force.h"
 #include "tests/lab/bench/instructions/servo_steps.h"
 
 #include <algorithm>
