@@ -3,7 +3,7 @@
 #include "tests/lab/stability/hands.h"
 #include "tests/lab/stability/limits.h"
 #include "tests/lab/stability/linear_loop.h"
-#include "tests/lab/stability/search.h"
+#include "tests/lab/stability/wall_run.h"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #include "tests/lab/stability/controllers.h"
 
 #include "tests/lab/stability/methods.h"
-#include "tests/lab/stability/search.h"
+#include "tests/lab/stability/wall_run.h"
 
 #include <cmath>
 

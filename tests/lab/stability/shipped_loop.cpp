@@ -1,7 +1,6 @@
 #include "tests/lab/stability/shipped_loop.h"
 
 #include "haptics/device/simulated_pantograph.h"
-#include "tests/lab/stability/counter_noise.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,9 @@
 // The shipped loop on a wall and through torture geometry, in short; tests/lab/stability/run does
 // all of it.
 
+#include "tests/lab/stability/shipped_loop.h"
+
 #include "haptics/servo/loop_settings.h"
-#include "tests/lab/stability/counter_noise.h"
 #include "tests/lab/stability/factorial.h"
 #include "tests/lab/stability/hands.h"
 #include "tests/lab/stability/scenario_loops.h"

@@ -1,7 +1,6 @@
 // Noise and lag of the velocity estimates against the reference.
 
-#include "tests/lab/stability/velocity_estimators.h"
-
+#include "tests/lab/stability/controllers.h"
 #include "tests/lab/stability/linear_loop.h"
 #include "tests/lab/stability/wall_run.h"
 

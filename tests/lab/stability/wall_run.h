@@ -1,5 +1,5 @@
 // A device and a hand against a wall, in one dimension, on the production integrator: encoder,
-// sampled force law, delay, motors.
+// sampled force law, delay, motors; and the search for the largest stiffness that holds.
 // Threads: pure functions.
 #pragma once
 
@@ -10,6 +10,24 @@
 #include <vector>
 
 namespace touchline::stability {
+
+using StiffnessTest = std::function<bool(double stiffness_N_per_m)>;
+
+/// Geometric.
+struct StiffnessGrid {
+    double from_N_per_m = 20.0;
+    double step = 1.01;  // ratio of neighbours, > 1
+    int count = 765;     // of values
+};
+
+[[nodiscard]] double stiffness_at(const StiffnessGrid& grid, int index);
+
+/// Bisects for the largest value of the grid that holds, assuming that all below it hold and all
+/// above do not. Returns 0 if the first does not hold.
+[[nodiscard]] double bisected_stiffness(const StiffnessGrid& grid, const StiffnessTest& holds);
+
+/// Scans from below. Returns the last value before the first that does not hold.
+[[nodiscard]] double scanned_stiffness(const StiffnessGrid& grid, const StiffnessTest& holds);
 
 /// Any WallController, or a lambda: takes the quantised position, returns the force, once a period.
 using ForceLaw = std::function<double(double x_m)>;

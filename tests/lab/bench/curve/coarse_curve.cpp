@@ -1,7 +1,7 @@
 #include "tests/lab/bench/curve/coarse_curve.h"
 
 #include "haptics/curve/segment.h"
-#include "tests/lab/bench/curve/simplify.h"
+#include "tests/lab/bench/curve/filters.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Measures the curves and writes what tests/lab/bench/curve/run draws: curve_bench RESULTS WORK.
-#include "tests/lab/bench/curve/sections.h"
+#include "tests/lab/bench/curve/report.h"
 
 #include <filesystem>
 #include <span>

@@ -1,11 +1,12 @@
-// The wavelets that the paper's is measured against. Only the bench has them.
-// Threads: pure functions.
+// The wavelets that the paper's is measured against, which only the bench has, and the simplifiers
+// that maps use. Threads: pure functions.
 #pragma once
 
 #include "config/types/vec2.h"
 #include "haptics/curve/wavelet.h"
 
 #include <array>
+#include <cstddef>
 #include <string_view>
 #include <vector>
 
@@ -43,5 +44,17 @@ inline constexpr std::array all_filters{Filter::paper_13_7, Filter::haar, Filter
 /// impulses. O(n^2).
 [[nodiscard]] std::vector<Position> denoised(Filter filter, const std::vector<Position>& points,
                                              double sigma_m, int levels);
+
+// The two simplifiers that maps use, to a given number of points: what is possible without levels.
+
+/// Returns which points stay, ascending: `count` of them, 2 <= count <= points.size(), first and
+/// last included. Douglas and Peucker: adds the point farthest from its chord next. O(n count).
+[[nodiscard]] std::vector<std::size_t> douglas_peucker(const std::vector<Position>& points,
+                                                       std::size_t count);
+
+/// Visvalingam and Whyatt: removes the point that spans the smallest triangle with its neighbours
+/// next. O(n log n).
+[[nodiscard]] std::vector<std::size_t> visvalingam(const std::vector<Position>& points,
+                                                   std::size_t count);
 
 }  // namespace touchline::bench

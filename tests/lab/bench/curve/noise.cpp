@@ -1,6 +1,6 @@
 #include "tests/lab/bench/curve/coarse_curve.h"
 #include "tests/lab/bench/curve/outlines.h"
-#include "tests/lab/bench/curve/sections.h"
+#include "tests/lab/bench/curve/report.h"
 
 #include <array>
 #include <cmath>

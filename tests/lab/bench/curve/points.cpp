@@ -2,7 +2,7 @@
 #include "haptics/pantograph/profile.h"
 #include "tests/haptics/curve/uniform_points.h"
 #include "tests/lab/bench/curve/outlines.h"
-#include "tests/lab/bench/curve/sections.h"
+#include "tests/lab/bench/curve/report.h"
 
 #include <algorithm>
 #include <filesystem>

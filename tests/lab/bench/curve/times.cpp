@@ -1,9 +1,9 @@
 #include "app/cli/load.h"
 #include "app/gallery/gallery.h"
 #include "tests/lab/bench/curve/coarse_curve.h"
+#include "tests/lab/bench/curve/filters.h"
 #include "tests/lab/bench/curve/outlines.h"
-#include "tests/lab/bench/curve/sections.h"
-#include "tests/lab/bench/curve/simplify.h"
+#include "tests/lab/bench/curve/report.h"
 
 #include <algorithm>
 #include <chrono>
