@@ -1,7 +1,6 @@
 #include "tests/machines/sim/board/fault_run.h"
 
 #include "tests/machines/sim/board/board_rig.h"
-#include "tests/machines/sim/board/link_fault_kinds.h"
 
 #include <algorithm>
 #include <array>

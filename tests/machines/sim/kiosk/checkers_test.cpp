@@ -1,10 +1,6 @@
 // Tests that each checker of ticks finds what it is made for, and nothing if all is well.
-#include "tests/machines/sim/kiosk/checkers/board_truth.h"
-#include "tests/machines/sim/kiosk/checkers/force_limits.h"
-#include "tests/machines/sim/kiosk/checkers/given_energy.h"
-#include "tests/machines/sim/kiosk/checkers/no_hand.h"
-#include "tests/machines/sim/kiosk/checkers/safety_transitions.h"
-#include "tests/machines/sim/kiosk/checkers/zero_deadline.h"
+#include "tests/machines/sim/kiosk/checkers/force.h"
+#include "tests/machines/sim/kiosk/checkers/safety.h"
 
 #include <limits>
 

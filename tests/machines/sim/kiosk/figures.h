@@ -2,7 +2,7 @@
 // failure. Threads: plain values.
 #pragma once
 
-#include "tests/machines/sim/kiosk/fault_kind.h"
+#include "tests/machines/sim/kiosk/plan.h"
 
 #include <algorithm>
 #include <array>

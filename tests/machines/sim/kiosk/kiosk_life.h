@@ -8,8 +8,7 @@
 #include "tests/machines/sim/kiosk/due_jobs.h"
 #include "tests/machines/sim/kiosk/heard.h"
 #include "tests/machines/sim/kiosk/line_servo.h"
-#include "tests/machines/sim/kiosk/sim_camera.h"
-#include "tests/machines/sim/kiosk/sim_file_source.h"
+#include "tests/machines/sim/kiosk/sim_sources.h"
 
 #include <cstdint>
 #include <filesystem>

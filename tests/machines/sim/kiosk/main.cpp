@@ -1,5 +1,4 @@
 // kiosk_sim: runs simulated sites, seed after seed.
-#include "tests/machines/sim/kiosk/shrink.h"
 #include "tests/machines/sim/kiosk/sim_report.h"
 #include "tests/machines/sim/kiosk/simulation.h"
 

@@ -1,5 +1,3 @@
-#include "tests/machines/sim/kiosk/shrink.h"
-
 #include "tests/machines/sim/kiosk/simulation.h"
 
 #include <algorithm>

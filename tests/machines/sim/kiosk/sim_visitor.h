@@ -4,9 +4,8 @@
 
 #include "app/kiosk/kiosk.h"
 #include "tests/machines/sim/board/board_emulator.h"
-#include "tests/machines/sim/kiosk/dice.h"
 #include "tests/machines/sim/kiosk/plan.h"
-#include "tests/machines/sim/kiosk/sim_file_source.h"
+#include "tests/machines/sim/kiosk/sim_sources.h"
 #include "tests/machines/sim/kiosk/visitor_hand.h"
 
 #include <cstdint>

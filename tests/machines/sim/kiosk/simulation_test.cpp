@@ -2,7 +2,6 @@
 // repeats exactly, and sabotage is noticed.
 #include "tests/machines/sim/kiosk/simulation.h"
 
-#include "tests/machines/sim/kiosk/shrink.h"
 #include "tests/machines/sim/kiosk/sim_report.h"
 
 #include <algorithm>

@@ -4,7 +4,6 @@
 #include "tests/haptics/servo/rigs.h"
 #include "tests/machines/sim/board/board_rig.h"
 #include "tests/machines/sim/board/fault_run.h"
-#include "tests/machines/sim/board/link_fault_kinds.h"
 
 #include <algorithm>
 #include <array>

@@ -3,16 +3,44 @@
 #pragma once
 
 #include "tests/machines/sim/board/board_emulator.h"
-#include "tests/machines/sim/umockdev/usb_requests.h"
+#include "tests/machines/sim/board/usb_function.h"
 
+#include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
 
+#include <linux/usbdevice_fs.h>
+#include <sys/ioctl.h>
 #include <umockdev.h>
 
 namespace touchline {
+
+/// Handles usbfs requests as the kernel does, with the emulated board, for umockdev.
+/// Threads: one at a time.
+class UsbRequests {
+  public:
+    explicit UsbRequests(BoardEmulator& board) : transfers_(board) {}
+
+    /// Answers the request. The board's clock must be at now.
+    void handle(UMockdevIoctlClient* client);
+
+    [[nodiscard]] UsbFaults& faults() { return transfers_.faults; }
+
+  private:
+    struct Urb {
+        UMockdevIoctlData* data = nullptr;
+        UMockdevIoctlData* buffer = nullptr;
+    };
+
+    void submit(UMockdevIoctlClient* client, UMockdevIoctlData* arg);
+    void reap(UMockdevIoctlClient* client, UMockdevIoctlData* arg);
+
+    UsbTransfers transfers_;
+    std::map<std::uint64_t, Urb> urbs_;  // by the program's address
+};
 
 /// The whole mocked USB of this process. Threads: calls from one; umockdev's own thread answers.
 class MockedUsb {

@@ -3,7 +3,7 @@
 // umockdev cannot: descriptors that two processes share, and processes that die.
 #pragma once
 
-#include "tests/machines/sim/board/usb_transfers.h"
+#include "tests/machines/sim/board/usb_function.h"
 
 #include <atomic>
 #include <cstdint>
