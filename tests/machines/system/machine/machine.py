@@ -32,7 +32,7 @@ def answer_of(*command):
 
 
 def ticks(figures):
-    told = answer_of(f'{BUILD}/tests/machines/system/machine/measure', 'ticks')
+    told = answer_of(f'{BUILD}/tests/machines/system/measure', 'ticks')
     value = f'{told["allocations"]:.0f} / {told["locks"]:.0f} / {told["faults"]:.0f}'
     figures.keep(6, 'allocations / locks / page faults per 10^6 servo ticks', value, '0 / 0 / 0',
                  value == '0 / 0 / 0' and told['in_contact'] > 1e5,
@@ -88,7 +88,7 @@ def libraries(figures):
 
 
 def listing(figures):
-    told = answer_of(f'{BUILD}/tests/machines/system/machine/measure', 'listing', f'{BUILD}/app/main/touchline-import')
+    told = answer_of(f'{BUILD}/tests/machines/system/measure', 'listing', f'{BUILD}/app/main/touchline-import')
     figures.keep(18, 'listing a stick with 10^5 files: s, MB', f'{told["s"]:.2f}, {told["MB"]:.1f}', '< 2, < 50',
                  told['s'] < 2.0 and told['MB'] < 50.0 and told['whole'] == 1,
                  HOW + f'listing: process started, list checked; files in memory; {machine()}, load {os.getloadavg()[0]:.1f}')
@@ -103,7 +103,7 @@ def valgrind(figures):
     world.start_bus()
     world.make_stick()
     kiosk = soaked.Kiosk(
-        world, {'LD_PRELOAD': f'{BUILD}/tests/machines/system/machine/libpidfd_of_valgrind.so'}, has_board=False,
+        world, {'LD_PRELOAD': f'{BUILD}/tests/machines/system/libpidfd_of_valgrind.so'}, has_board=False,
         before=['setpriv', '--inh-caps=-sys_nice', '--bounding-set=-sys_nice',
                 'valgrind', '--fair-sched=yes', '--child-silent-after-fork=yes', '--keep-debuginfo=yes', '--num-callers=30',
                 '--leak-check=full', '--show-leak-kinds=definite', '--errors-for-leak-kinds=definite',

@@ -48,7 +48,7 @@ class World:
     def __init__(self, root, folder):
         self.root, self.folder = root, folder
         self.programs = f'{root}/build/release/app/main'
-        self.kiosk_program = f'{root}/build/release/tests/machines/system/soak/soak_kiosk'
+        self.kiosk_program = f'{root}/build/release/tests/machines/system/soak_kiosk'
         shutil.rmtree(folder, ignore_errors=True)
         for name in ('person', 'kept', 'temporary', 'camera'):
             os.makedirs(f'{folder}/{name}')
