@@ -1,13 +1,18 @@
 // Ways to render a wall in one dimension, as in the literature: each sees the quantised position
 // once a period and answers with a force. Inside is x > 0; a wall pushes, so its force is negative
-// there. Before them the estimates of velocity that they use.
-// Threads: plain values, one thread each. No allocation in the estimates.
+// there. Before them the estimates of velocity that they use; after them all by name.
+// Threads: plain values, one thread each; the methods are immutable. No allocation in the
+// estimates.
 #pragma once
 
 #include "haptics/servo/velocity_estimate.h"
+#include "tests/lab/stability/wall_run.h"
 
 #include <algorithm>
 #include <concepts>
+#include <functional>
+#include <span>
+#include <string_view>
 #include <utility>
 
 namespace touchline::stability {
@@ -171,5 +176,35 @@ class SlopeBoundWall {
 static_assert(WallController<SpringWall> && WallController<DampedWall<FilteredDifference>> &&
               WallController<LocalModelWall> && WallController<EnergyObserverWall> &&
               WallController<SlopeBoundWall>);
+
+/// A method that the laboratory compares: a controller made for a loop at a stiffness.
+struct Method {
+    std::string_view name;
+    double damping_Ns_per_m = 0.0;
+    /// Periods of the force loop per period of the geometry: it divides the loop's period.
+    int local_rate = 1;
+    std::function<ForceLaw(double stiffness_N_per_m, double damping_Ns_per_m, const WallLoop&,
+                           double start_m)>
+        make;
+};
+
+/// Returns spring; spring + difference, + 100 Hz low pass, + FOAW 16 (damping 2); + 100 Hz low pass
+/// (damping 5); local model; observer; observer with a cap of 30 Ns/m; slope bound.
+[[nodiscard]] std::span<const Method> methods();
+
+/// Returns the method of this name, which must be one of methods().
+[[nodiscard]] const Method& method(std::string_view name);
+
+/// Returns the damping that a loop may count on: the tip's and the worse of the skin's and the
+/// hand's.
+[[nodiscard]] double damping_counted(const WallLoop& loop);
+
+/// Returns the loop that the force runs in: a method with a local model has a shorter period, and
+/// so a shorter delay.
+[[nodiscard]] WallLoop force_loop(const Method& method, const WallLoop& loop);
+
+/// Renders the wall at this stiffness and the method's own damping, under an excitation.
+[[nodiscard]] WallTrace render(const Method& method, double stiffness_N_per_m, const WallLoop& loop,
+                               const Excitation& excitation, double span_s);
 
 }  // namespace touchline::stability

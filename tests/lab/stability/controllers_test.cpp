@@ -3,7 +3,6 @@
 
 #include "tests/lab/stability/controllers.h"
 
-#include "tests/lab/stability/methods.h"
 #include "tests/lab/stability/wall_run.h"
 
 #include <cmath>

@@ -1,9 +1,9 @@
 #include "tests/lab/stability/factorial.h"
 
 #include "haptics/servo/loop_settings.h"
-#include "tests/lab/stability/cell.h"
 #include "tests/lab/stability/for_each_index.h"
 #include "tests/lab/stability/hands.h"
+#include "tests/lab/stability/maps.h"
 
 #include <cmath>
 

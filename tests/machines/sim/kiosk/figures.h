@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace touchline {
@@ -69,5 +71,25 @@ inline void SimFigures::add(const SimFigures& other) {
           &SimFigures::longest_ready_s, &SimFigures::longest_silence_s})
         this->*member = std::max(this->*member, other.*member);
 }
+
+/// A state as one number, the same wherever the same numbers were computed.
+class StateHash {
+  public:
+    void mix(std::uint64_t bits) {
+        state_ = (state_ ^ bits) * 0x9fb21c651e98df25ULL;
+        state_ ^= state_ >> 35U;
+    }
+
+    void mix(double value) { mix(std::bit_cast<std::uint64_t>(value)); }
+
+    void mix(std::string_view text) {
+        for (const char letter : text) mix(static_cast<std::uint64_t>(letter));
+    }
+
+    [[nodiscard]] std::uint64_t value() const { return state_; }
+
+  private:
+    std::uint64_t state_ = 0xcbf29ce484222325ULL;
+};
 
 }  // namespace touchline

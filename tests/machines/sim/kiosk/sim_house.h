@@ -7,10 +7,10 @@
 #include "tests/machines/sim/kiosk/checkers/force.h"
 #include "tests/machines/sim/kiosk/checkers/safety.h"
 #include "tests/machines/sim/kiosk/checkers/session.h"
+#include "tests/machines/sim/kiosk/figures.h"
 #include "tests/machines/sim/kiosk/kiosk_life.h"
 #include "tests/machines/sim/kiosk/servo_life.h"
 #include "tests/machines/sim/kiosk/sim_visitor.h"
-#include "tests/machines/sim/kiosk/state_hash.h"
 
 #include <array>
 #include <cstdint>

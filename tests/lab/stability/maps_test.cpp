@@ -1,6 +1,6 @@
 // The short form of the maps: a few cells of every slice.
 
-#include "tests/lab/stability/slices.h"
+#include "tests/lab/stability/maps.h"
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
