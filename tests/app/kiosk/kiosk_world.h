@@ -5,7 +5,6 @@
 #include "app/kiosk/kiosk.h"
 #include "app/loading/kiosk_stages.h"
 #include "tests/app/kiosk/stepped_servo.h"
-#include "tests/machines/sim/kiosk/heard.h"
 #include "tests/machines/sim/kiosk/house.h"
 
 #include <filesystem>

@@ -4,7 +4,6 @@
 #include "haptics/servo/loop_settings.h"
 #include "tests/lab/stability/factorial.h"
 #include "tests/lab/stability/maps.h"
-#include "tests/lab/stability/scenario_loops.h"
 
 #include <cmath>
 #include <fstream>

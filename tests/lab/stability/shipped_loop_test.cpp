@@ -6,7 +6,6 @@
 #include "haptics/servo/loop_settings.h"
 #include "tests/lab/stability/factorial.h"
 #include "tests/lab/stability/hands.h"
-#include "tests/lab/stability/scenario_loops.h"
 
 #include <algorithm>
 

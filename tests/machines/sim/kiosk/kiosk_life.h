@@ -6,7 +6,7 @@
 #include "app/servo/running_servo.h"
 #include "app/servo/servo_connection.h"
 #include "tests/machines/sim/kiosk/due_jobs.h"
-#include "tests/machines/sim/kiosk/heard.h"
+#include "tests/machines/sim/kiosk/house.h"
 #include "tests/machines/sim/kiosk/line_servo.h"
 #include "tests/machines/sim/kiosk/sim_sources.h"
 
