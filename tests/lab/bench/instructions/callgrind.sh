@@ -23,6 +23,17 @@ count_steps() {
     rm -f "$log"
 }
 
+# totals_of PROGRAM: prints the mean instructions of a servo step, "auto 512 898.8" a row, as in
+# recorded.txt; or those of a picture, "drawing 1MP 898.0" a row, as in recorded_map.txt.
+totals_of() {
+    local dumps status=0
+    dumps=$(mktemp)
+    # Of its own, because `set -e` does not hold in a command substitution.
+    { count_steps "$dumps" "$1" total && sums_of "$dumps" | awk '{ printf "%s %s %.1f\n", $1, $2, $4 / $3 }'; } || status=$?
+    rm -f "$dumps"
+    return "$status"
+}
+
 # sums_of DUMPS: a line for each named dump, its name and its sums: "auto 512 2000 413".
 sums_of() {
     awk '

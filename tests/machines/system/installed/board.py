@@ -3,8 +3,7 @@ and again after its plug was pulled."""
 import time
 
 from kiosk import SETTINGS, UNIT
-from machine import Fault, wait_for
-from redirected import Redirected
+from machine import Fault, Redirected, wait_for
 
 UNITS = f'{SETTINGS.rsplit("/", 1)[0]}/units.toml'
 SERVO = "systemctl list-units --state=running --plain --no-legend 'touchline-servo@*' | grep -q ."

@@ -1,6 +1,5 @@
 """A camera on the USB, plugged into a running kiosk: what lies under it is taken and felt; lost, and found again."""
-from machine import Fault
-from redirected import Redirected
+from machine import Fault, Redirected
 
 
 def run(table, bench):

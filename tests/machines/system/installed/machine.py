@@ -4,17 +4,38 @@ One QEMU process, emulated (TCG). What is written to its disk stays in the overl
 its power away. All waiting is for a condition, with a time after which it is an error.
 """
 import base64
+import ctypes
 import json
+import mmap
 import os
+import platform
+import select
 import socket
 import subprocess
 import time
 
-from ticks import ticks_kHz
+READ_COUNTER = bytes.fromhex('0f31 48c1e220 4809d0 c3')  # rdtsc; shl rdx, 32; or rax, rdx; ret
 
 
 class Fault(Exception):
     """A condition that did not come true, or a machine that has gone."""
+
+
+def ticks_kHz(span_s=0.5):
+    """Ticks in a millisecond of the counter that an emulated processor shows as its own; None where there is no such counter.
+    A busy host makes the machine measure it wrong while it boots, and its clock then runs at several times its pace:
+    time-outs come early."""
+    if platform.machine() != 'x86_64':
+        return None
+    with mmap.mmap(-1, mmap.PAGESIZE, prot=mmap.PROT_READ | mmap.PROT_WRITE | mmap.PROT_EXEC) as page:
+        page.write(READ_COUNTER)
+        place = ctypes.c_char.from_buffer(page)
+        count = ctypes.CFUNCTYPE(ctypes.c_uint64)(ctypes.addressof(place))
+        began, first = time.monotonic(), count()
+        time.sleep(span_s)
+        ended, last = time.monotonic(), count()
+        del place
+    return round((last - first) / (ended - began) / 1000)
 
 
 def own_cores():
@@ -213,3 +234,40 @@ class Machine:
             return wait_for(there, longest_s, f'the screen says {words}', 1)
         except Fault as fault:
             raise Fault(f'{fault}; it says: {last[-300:]}') from None
+
+
+class Redirected:
+    """A program that emulates a USB device (tests/machines/sim/usbredir), its standard input and output, and its plug in the machine."""
+
+    def __init__(self, machine, program, *arguments):
+        self.machine = machine
+        self.name = os.path.basename(program)
+        path = f'{machine.folder}/{self.name}'
+        self.process = subprocess.Popen([program, path, *arguments], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                        bufsize=0)
+        wait_for(lambda: os.path.exists(path), 30, f'{self.name} listens', 0.05)
+        # QEMU asks again each second after a plug is pulled at the device's end.
+        address = {'type': 'unix', 'data': {'path': path}}
+        machine.ask('chardev-add', id=self.name, backend={
+            'type': 'socket', 'data': {'addr': address, 'server': False, 'reconnect': 1}})
+        machine.ask('device_add', driver='usb-redir', id=f'{self.name}-plug', chardev=self.name, bus='xhci.0')
+
+    def order(self, line):
+        self.process.stdin.write(line.encode() + b'\n')
+
+    def said(self, longest_s=30):
+        """The next line that the program says."""
+        if not select.select([self.process.stdout], [], [], longest_s)[0]:
+            raise Fault(f'{self.name} says nothing')
+        return self.process.stdout.readline().decode().strip()
+
+    def pull(self):
+        """The plug at the machine's end; the program ends and leaves its last line."""
+        self.machine.ask('device_del', id=f'{self.name}-plug')
+        # The plug takes its line to the program with it.
+        wait_for(lambda: self.name not in [line['label'] for line in self.machine.ask('query-chardev')], 60,
+                 f'{self.name} is out', 0.1)
+        try:
+            return self.process.communicate(timeout=30)[0].decode().strip()
+        finally:
+            self.process.kill()

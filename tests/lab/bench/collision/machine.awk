@@ -1,3 +1,0 @@
-# Where and when.
-
-END { print "Measured " machine "." }
