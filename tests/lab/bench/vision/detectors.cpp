@@ -10,6 +10,10 @@
 #include <fmt/core.h>
 #include <opencv2/imgproc.hpp>
 
+#if TOUCHLINE_HAS_XIMGPROC
+#include <opencv2/ximgproc/edge_drawing.hpp>
+#endif
+
 namespace touchline::bench {
 namespace {
 
@@ -17,6 +21,21 @@ constexpr double kShown_mm = 116.0;  // the longer side, on the drawing area
 
 uchar strength_of(double multiple) {
     return cv::saturate_cast<uchar>(255.0 * multiple / (1.0 + multiple) + 0.5);
+}
+
+using Rule = std::function<cv::Mat1b(const cv::Mat& picture, double multiple)>;
+
+/// Makes both functions of a detector from a rule with a multiple of its threshold.
+Detector of_rule(std::string name, std::string setting, const Rule& rule) {
+    return {std::move(name), std::move(setting),
+            [rule](const cv::Mat& picture) { return rule(picture, 1.0); },
+            [rule](const cv::Mat& picture) {
+                cv::Mat1b strength(picture.size(), uchar{0});
+                for (const double multiple : {0.4, 0.5, 0.6, 0.7, 0.85, 1.0, 1.2, 1.5, 1.9, 2.5}) {
+                    strength.setTo(strength_of(multiple), rule(picture, multiple));
+                }
+                return strength;
+            }};
 }
 
 /// The popular rule: thresholds a third below and above the median grey level.
@@ -124,19 +143,39 @@ Detector whole() {
     return {"Touchline lines", "as built", find, find};
 }
 
-}  // namespace
-
-Detector of_rule(std::string name, std::string setting, const Rule& rule) {
-    return {std::move(name), std::move(setting),
-            [rule](const cv::Mat& picture) { return rule(picture, 1.0); },
-            [rule](const cv::Mat& picture) {
-                cv::Mat1b strength(picture.size(), uchar{0});
-                for (const double multiple : {0.4, 0.5, 0.6, 0.7, 0.85, 1.0, 1.2, 1.5, 1.9, 2.5}) {
-                    strength.setTo(strength_of(multiple), rule(picture, multiple));
-                }
-                return strength;
-            }};
+#if TOUCHLINE_HAS_XIMGPROC
+/// Topal and Akinlar 2012; with `is_parameter_free` its chains are validated (EDPF).
+cv::Mat1b edge_drawing(const cv::Mat& picture, bool is_parameter_free, double multiple) {
+    cv::Mat grey;
+    cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
+    const auto drawing = cv::ximgproc::createEdgeDrawing();
+    cv::ximgproc::EdgeDrawing::Params settings;
+    settings.PFmode = is_parameter_free;
+    settings.EdgeDetectionOperator = cv::ximgproc::EdgeDrawing::SOBEL;
+    settings.GradientThresholdValue = static_cast<int>(36.0 * multiple);
+    settings.MinPathLength = 15;
+    settings.Sigma = 1.5F;
+    drawing->setParams(settings);
+    drawing->detectEdges(grey);
+    cv::Mat edges;
+    drawing->getEdgeImage(edges);
+    return edges;
 }
+
+/// Adds OpenCV's EdgeDrawing if its ximgproc is installed.
+void add_edge_drawing(std::vector<Detector>& all) {
+    for (const bool is_parameter_free : {false, true}) {
+        all.push_back(of_rule("EdgeDrawing", is_parameter_free ? "EDPF" : "ED; σ 1.5 px",
+                              [=](const cv::Mat& picture, double multiple) {
+                                  return edge_drawing(picture, is_parameter_free, multiple);
+                              }));
+    }
+}
+#else
+void add_edge_drawing(std::vector<Detector>& /*all*/) {}
+#endif
+
+}  // namespace
 
 std::vector<Detector> detectors() {
     std::vector<Detector> all{of_rule("Canny on grey", "median ± 33 %", grey_canny),

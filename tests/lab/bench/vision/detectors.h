@@ -23,11 +23,4 @@ struct Detector {
 
 [[nodiscard]] std::vector<Detector> detectors();
 
-/// Adds OpenCV's EdgeDrawing if its ximgproc is installed.
-void add_edge_drawing(std::vector<Detector>& all);
-
-/// Makes both functions of a detector from a rule with a multiple of its threshold.
-using Rule = std::function<cv::Mat1b(const cv::Mat& picture, double multiple)>;
-[[nodiscard]] Detector of_rule(std::string name, std::string setting, const Rule& rule);
-
 }  // namespace touchline::bench

@@ -1,25 +1,106 @@
 // redirected_board SOCKET [UNPLUG_AFTER_WRITES | led PACE]: an emulated 2diy gen 3.1 for QEMU's
 // usb-redir device, which connects to the unix socket. After that many writes the plug is pulled,
 // once, and put back when QEMU connects again. `led`: hand and plug follow orders on stdin
-// (board_orders.h), and both live PACE seconds in a second; without that, an emulated machine that
+// (BoardOrders), and both live PACE seconds in a second; without that, an emulated machine that
 // runs slower than it believes sees the hand leap. Ends when QEMU has gone; prints the torque that
 // the board was left with.
+#include "tests/app/device/person.h"
+#include "tests/machines/sim/board/board_emulator.h"
 #include "tests/machines/sim/board/board_rig.h"
-#include "tests/machines/sim/usbredir/board_orders.h"
 #include "tests/machines/sim/usbredir/redirected_device.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 
+#include <poll.h>
 #include <sys/socket.h>
+#include <unistd.h>
 
 namespace {
 
 using namespace touchline;
+
+/// What a test tells the emulated board and the hand at it while it serves: lines on stdin.
+///
+///     hear WORDS     the hand does what homing says
+///     go X Y         the hand goes there, in W, millimetres
+///     unplug, plug   the cable
+///     tell           a line on stdout: the largest torque told since the last one, and where the
+///                    handle is
+class BoardOrders {
+  public:
+    BoardOrders(BoardEmulator& board, std::shared_ptr<Person> person)
+        : board_(board), person_(std::move(person)) {}
+
+    /// Follows the orders that have come; does not wait.
+    void follow();
+
+    /// Waits until `plug` comes; returns false if nobody is left to send it.
+    [[nodiscard]] bool wait_for_plug();
+
+  private:
+    void follow(const std::string& line);
+    void tell();
+
+    BoardEmulator& board_;
+    std::shared_ptr<Person> person_;
+    std::string rest_;  // incomplete line
+    std::size_t told_ = 0;
+    bool has_ended_ = false;  // stdin has ended
+};
+
+void BoardOrders::follow() {
+    pollfd wanted{STDIN_FILENO, POLLIN, 0};
+    while (!has_ended_ && poll(&wanted, 1, 0) > 0) {
+        char bytes[256];
+        const ssize_t got = read(STDIN_FILENO, bytes, sizeof bytes);
+        has_ended_ = got <= 0;
+        if (got > 0) rest_.append(bytes, static_cast<std::size_t>(got));
+        for (std::size_t end = 0; (end = rest_.find('\n')) != std::string::npos;) {
+            follow(rest_.substr(0, end));
+            rest_.erase(0, end + 1);
+        }
+    }
+}
+
+bool BoardOrders::wait_for_plug() {
+    while (!board_.is_plugged() && !has_ended_) {
+        follow();
+        poll(nullptr, 0, 10);
+    }
+    return board_.is_plugged();
+}
+
+void BoardOrders::follow(const std::string& line) {
+    double x_mm = 0.0;
+    double y_mm = 0.0;
+    if (line.rfind("hear ", 0) == 0) person_->hear(line, board_.now_s());
+    if (std::sscanf(line.c_str(), "go %lf %lf", &x_mm, &y_mm) == 2)
+        person_->go({0.001 * x_mm, 0.001 * y_mm}, board_.now_s());
+    if (line == "unplug") board_.unplug();
+    if (line == "plug") board_.plug();
+    if (line == "tell") tell();
+}
+
+void BoardOrders::tell() {
+    const auto& changes = board_.told_torques();
+    double largest_Nm = 0.0;
+    for (; told_ < changes.size(); ++told_) {
+        const JointTorques torques = changes[told_].torques;
+        largest_Nm = std::max({largest_Nm, std::abs(torques.x), std::abs(torques.y)});
+    }
+    const Position handle = board_.plant().tip().position;
+    std::printf("torque %.4f at %.1f %.1f\n", largest_Nm, 1000.0 * handle.x, 1000.0 * handle.y);
+    std::fflush(stdout);
+}
 
 /// The board; its plug is pulled at a certain write.
 class BoardFunction : public RedirectedFunction {
