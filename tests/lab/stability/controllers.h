@@ -5,7 +5,7 @@
 // estimates.
 #pragma once
 
-#include "haptics/servo/velocity_estimate.h"
+#include "haptics/servo/handle_motion.h"
 #include "tests/lab/stability/wall_run.h"
 
 #include <algorithm>

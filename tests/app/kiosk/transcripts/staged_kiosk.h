@@ -9,8 +9,6 @@
 #include "haptics/device/homing.h"
 #include "tests/app/kiosk/stepped_servo.h"
 #include "tests/app/kiosk/transcripts/transcript.h"
-#include "tests/machines/sim/kiosk/sim_file_source.h"
-#include "tests/app/kiosk/transcripts/timed_voice.h"
 #include "tests/machines/sim/kiosk/sim_sources.h"
 
 #include <filesystem>

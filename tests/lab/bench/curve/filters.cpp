@@ -1,8 +1,7 @@
 #include "tests/lab/bench/curve/filters.h"
 
-#include "haptics/curve/wavelet.h"
 #include "haptics/curve/segment.h"
-#include "haptics/curve/shrink.h"
+#include "haptics/curve/wavelet.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,6 @@
 #include "app/screen/text.h"
 #include "haptics/collision/scene.h"
 #include "haptics/curve/spacing.h"
-#include "tests/lab/bench/curve/sections.h"
-#include "haptics/curve/sampling.h"
 #include "tests/lab/bench/curve/report.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // coarser levels cost in place. tests/lab/bench/probe/run calls it.
 #include "haptics/pantograph/profile.h"
 #include "haptics/probe/probe_proxy.h"
-#include "haptics/resolution/shape_level_rule.h"
+#include "haptics/resolution/level_rule.h"
 #include "tests/lab/bench/collision/report.h"
 #include "tests/lab/bench/collision/run.h"
 #include "tests/lab/bench/collision/touchline_rows.h"

@@ -6,7 +6,7 @@
 #include "tests/vision/boundary/line_truth.h"
 #include "tests/vision/camera/frames.h"
 #include "tests/vision/pictures/effects.h"
-#include "vision/camera/conversion.h"
+#include "vision/camera/frame.h"
 #include "vision/contour/gradient.h"
 #include "vision/contour/main_shape.h"
 #include "vision/contour/photo_lines.h"

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "app/kiosk/stick_source.h"
-#include "app/kiosk/file_source.h"
 #include "vision/camera/camera.h"
 
 #include <cstdint>
