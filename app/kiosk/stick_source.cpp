@@ -152,7 +152,7 @@ auto StickReader::read(const std::string& root, const StickEntry& entry)
 std::optional<Mapping> StickReader::side_car(const std::string& root, const StickEntry& entry) {
     const auto text = import_.read_side_car(root, entry);
     if (!text) return std::nullopt;
-    auto mapped = map_sealed(*text, most_side_car_bytes);
+    auto mapped = map_sealed(*text, max_side_car_bytes);
     if (!mapped) return std::nullopt;
     return std::move(*mapped);
 }

@@ -23,7 +23,7 @@
 namespace touchline {
 
 /// A face drawn in lines, and the part of the picture that fills the map's area, which may reach
-/// beyond the picture (can_be_shown()). Its labels are those of config/types/face_part.h; the map
+/// beyond the picture (can_be_shown()). Its labels are those of config/types/thing_name.h; the map
 /// has no other text.
 struct DrawnFace {
     ThingBox part;

@@ -50,7 +50,7 @@ class Servo {
                                      const DeviceProfile& profile, const ServoOptions& options);
 
     /// Takes effect from the next tick on. A new radius or capture width goes through zero force,
-    /// like a new scene; a new mode fades in under the hand (haptics/contact/gap_fade.h).
+    /// like a new scene; a new mode fades in under the hand (haptics/contact/contact_machine.h).
     void set(const ServoCommands& commands) { exchange_.set(commands); }
 
     /// Changes the picture: force fades to zero (<= 50 ms), the old contact is dropped, and force

@@ -39,7 +39,7 @@ inline constexpr std::array all_filters{Filter::paper_13_7, Filter::haar, Filter
 [[nodiscard]] std::vector<Position> coarser_open(Filter filter,
                                                  const std::vector<Position>& points);
 
-/// Returns the closed curve with its details shrunk as the product does (shrink.h) for white noise
+/// Returns the closed curve with its details shrunk as the product does (wavelet.h) for white noise
 /// of `sigma_m` a coordinate, down to `levels` levels. Measures each filter's own noise gains by
 /// impulses. O(n^2).
 [[nodiscard]] std::vector<Position> denoised(Filter filter, const std::vector<Position>& points,
