@@ -1,7 +1,7 @@
 #include "app/cli/command_line.h"
 
 #include "app/cli/commands.h"
-#include "app/packs/pack.h"
+#include "app/documents/packs/pack.h"
 #include "config/types/hand_state.h"
 #include "config/types/utf8.h"
 #include "haptics/pantograph/profile.h"

@@ -1,7 +1,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/hand_csv.h"
 #include "app/cli/load.h"
-#include "app/decode/files.h"
+#include "app/documents/decode/files.h"
 #include "config/types/steady_clock.h"
 #include "haptics/pantograph/profile.h"
 #include "haptics/servo/rendering.h"

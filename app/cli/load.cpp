@@ -1,10 +1,10 @@
 #include "app/cli/load.h"
 
 #include "app/cli/json.h"
-#include "app/decode/map_svg.h"
-#include "app/decode/opening.h"
-#include "app/models/networks.h"
-#include "app/trace/page_views.h"
+#include "app/documents/decode/map_svg.h"
+#include "app/documents/decode/opening.h"
+#include "app/documents/models/networks.h"
+#include "app/documents/trace/page_views.h"
 #include "config/types/map_bytes.h"
 
 #include <algorithm>

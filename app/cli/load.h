@@ -2,8 +2,8 @@
 // Threads: any, each call by itself.
 #pragma once
 
-#include "app/trace/finding_things.h"
-#include "app/trace/tracing.h"
+#include "app/documents/trace/finding_things.h"
+#include "app/documents/trace/tracing.h"
 #include "config/types/result.h"
 #include "config/types/tactile_map.h"
 
@@ -17,7 +17,7 @@ namespace touchline {
 [[nodiscard]] bool is_map_name(const std::string& path);
 
 /// Which view of a page: the kiosk's first, the whole, the main thing of a photograph, or one by
-/// its number (1 ..., app/trace/page_views.h).
+/// its number (1 ..., app/documents/trace/page_views.h).
 struct ViewChoice {
     enum class Kind : std::uint8_t { first, whole, figure, numbered };
 

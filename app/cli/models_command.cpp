@@ -1,5 +1,5 @@
 #include "app/cli/commands.h"
-#include "app/models/networks.h"
+#include "app/documents/models/networks.h"
 
 #include <istream>
 #include <ostream>

@@ -1,6 +1,6 @@
 #include "app/cli/commands.h"
-#include "app/packs/pack.h"
-#include "app/packs/pack_library.h"
+#include "app/documents/packs/pack.h"
+#include "app/documents/packs/pack_library.h"
 #include "audio-cues/words/language.h"
 #include "config/types/utf8.h"
 

@@ -1,9 +1,9 @@
 #include "app/cli/commands.h"
 #include "app/cli/hand_csv.h"
 #include "app/cli/load.h"
-#include "app/decode/files.h"
-#include "app/gallery/gallery.h"
-#include "app/servo/scene_order.h"
+#include "app/documents/decode/files.h"
+#include "app/documents/gallery/gallery.h"
+#include "app/force/servo/scene_order.h"
 #include "haptics/servo/recording.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 #include "app/cli/commands.h"
-#include "app/decode/files.h"
+#include "app/documents/decode/files.h"
 #include "app/operator/settings_files.h"
 #include "app/sound/catalogues.h"
 #include "config/settings/settings_text.h"

@@ -2,10 +2,10 @@
 
 #include "app/cli/explorer.h"
 #include "app/cli/load.h"
-#include "app/decode/png_writer.h"
+#include "app/documents/decode/png_writer.h"
+#include "app/force/servo/scene_order.h"
 #include "app/screen/tour_figure.h"
-#include "app/servo/scene_order.h"
-#include "app/session/proxy_radius.h"
+#include "app/visit/proxy_radius.h"
 #include "config/types/utf8.h"
 #include "haptics/device/simulated_pantograph.h"
 #include "haptics/servo/servo_step.h"

@@ -1,9 +1,9 @@
 #include "app/cli/commands.h"
 #include "app/cli/json.h"
-#include "app/decode/files.h"
-#include "app/decode/map_svg.h"
-#include "app/decode/png_writer.h"
-#include "app/trace/page_views.h"
+#include "app/documents/decode/files.h"
+#include "app/documents/decode/map_svg.h"
+#include "app/documents/decode/png_writer.h"
+#include "app/documents/trace/page_views.h"
 
 #include <fmt/format.h>
 

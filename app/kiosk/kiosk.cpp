@@ -1,7 +1,7 @@
 #include "app/kiosk/kiosk.h"
 
-#include "app/session/told_lines.h"
-#include "app/sticks/spoken_list.h"
+#include "app/documents/sticks/spoken_list.h"
+#include "app/visit/told_lines.h"
 #include "audio-cues/cues/cue_table.h"
 #include "audio-cues/words/words_of.h"
 #include "config/types/utf8.h"

@@ -1,24 +1,24 @@
 // The kiosk without its window: carries out a visit's orders and tells it what happens.
 //
-//   keys, hand, headphones, stick, camera, loader ──> Visit (app/session) ──> speech, cues, servo,
+//   keys, hand, headphones, stick, camera, loader ──> Visit (app/visit) ──> speech, cues, servo,
 //                                                                             loader, camera, stick
 //
 // Threads: the screen's; the parts hide all other threads. No call waits.
 #pragma once
 
-#include "app/decode/found_words.h"
+#include "app/documents/decode/found_words.h"
+#include "app/force/servo/servo_client.h"
 #include "app/kiosk/kiosk_handle.h"
 #include "app/kiosk/kiosk_keys.h"
+#include "app/kiosk/loading/loader.h"
 #include "app/kiosk/operator_session.h"
 #include "app/kiosk/photo_capture.h"
 #include "app/kiosk/pictures.h"
 #include "app/kiosk/stick_source.h"
 #include "app/kiosk/watched.h"
-#include "app/loading/loader.h"
-#include "app/servo/servo_client.h"
-#include "app/session/status.h"
-#include "app/session/visit.h"
 #include "app/sound/visitor_sound.h"
+#include "app/visit/status.h"
+#include "app/visit/visit.h"
 #include "config/settings/keys.h"
 #include "config/settings/settings.h"
 #include "haptics/pantograph/profile.h"
@@ -66,7 +66,7 @@ class Kiosk {
     Kiosk& operator=(Kiosk&&) = delete;
 
     /// A key of a keyboard, keypad or joystick changed, at a time of step()'s clock. The table of
-    /// keys decides its meaning, then the staff's table (app/session/keys.h); else it is a dead
+    /// keys decides its meaning, then the staff's table (app/visit/keys.h); else it is a dead
     /// key. Once there is a PIN, a spoken sentence refuses the operator's keys unless the operator
     /// is inside.
     void change_key(const KeyChange& change);

@@ -1,8 +1,8 @@
 #include "app/kiosk/kiosk_handle.h"
 
-#include "app/loading/kiosk_stages.h"
-#include "app/servo/black_box.h"
-#include "app/session/proxy_radius.h"
+#include "app/force/servo/black_box.h"
+#include "app/kiosk/loading/kiosk_stages.h"
+#include "app/visit/proxy_radius.h"
 
 #include <array>
 #include <cstddef>

@@ -2,9 +2,9 @@
 // Threads: one; no call waits but the servo's stop().
 #pragma once
 
-#include "app/servo/servo_client.h"
-#include "app/session/visit_events.h"
-#include "app/session/visit_orders.h"
+#include "app/force/servo/servo_client.h"
+#include "app/visit/visit_events.h"
+#include "app/visit/visit_orders.h"
 #include "config/settings/settings.h"
 #include "haptics/pantograph/profile.h"
 

@@ -3,9 +3,9 @@
 // Threads: plain values.
 #pragma once
 
-#include "app/keys/key_filter.h"
-#include "app/keys/two_switches.h"
-#include "app/session/keys.h"
+#include "app/visit/keys.h"
+#include "app/visit/keys/key_filter.h"
+#include "app/visit/keys/two_switches.h"
 #include "config/settings/keys.h"
 
 #include <optional>

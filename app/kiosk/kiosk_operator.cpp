@@ -1,6 +1,6 @@
 // The operator at the kiosk: carries out the screens' orders to servo, sound, camera and stick.
 #include "app/kiosk/kiosk.h"
-#include "app/session/told_lines.h"
+#include "app/visit/told_lines.h"
 
 #include <string>
 #include <utility>

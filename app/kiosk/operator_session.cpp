@@ -1,13 +1,13 @@
 #include "app/kiosk/operator_session.h"
 
-#include "app/models/networks.h"
+#include "app/documents/models/networks.h"
+#include "app/documents/packs/pack.h"
+#include "app/documents/packs/pack_library.h"
+#include "app/isolation/process/places.h"
 #include "app/operator/backup.h"
 #include "app/operator/pin.h"
 #include "app/operator/settings_files.h"
-#include "app/packs/pack.h"
-#include "app/packs/pack_library.h"
-#include "app/process/places.h"
-#include "app/session/told_lines.h"
+#include "app/visit/told_lines.h"
 #include "config/types/utf8.h"
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 #include "app/operator/pin.h"
 #include "app/operator/profiles.h"
 #include "app/operator/settings_files.h"
-#include "app/session/visit_orders.h"
+#include "app/visit/visit_orders.h"
 #include "audio-cues/words/language.h"
 #include "config/types/result.h"
 

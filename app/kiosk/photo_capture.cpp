@@ -1,7 +1,7 @@
 #include "app/kiosk/photo_capture.h"
 
-#include "app/process/places.h"
-#include "app/trace/tracing.h"
+#include "app/documents/trace/tracing.h"
+#include "app/isolation/process/places.h"
 #include "vision/camera/folder_camera.h"
 #include "vision/camera/libcamera_port.h"
 #include "vision/camera/stream_camera.h"

@@ -2,9 +2,9 @@
 // it is asked for. Threads: one, except for its files, which any thread may open. No call waits.
 #pragma once
 
-#include "app/loading/stages.h"
+#include "app/documents/trace/trace_work.h"
+#include "app/kiosk/loading/stages.h"
 #include "app/screen/canvas.h"
-#include "app/trace/trace_work.h"
 #include "config/types/result.h"
 #include "vision/camera/camera.h"
 

@@ -1,6 +1,6 @@
 #include "app/kiosk/picture_facts.h"
 
-#include "app/session/told_lines.h"
+#include "app/visit/told_lines.h"
 #include "config/types/thing_name.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // What a visitor can be told of the picture that is felt. Threads: pure functions.
 #pragma once
 
-#include "app/loading/stages.h"
-#include "app/session/visit_events.h"
-#include "app/sticks/spoken_name.h"
+#include "app/documents/sticks/spoken_name.h"
+#include "app/kiosk/loading/stages.h"
+#include "app/visit/visit_events.h"
 #include "audio-cues/words/language.h"
 #include "config/types/hand_state.h"
 #include "config/types/tactile_map.h"
@@ -30,9 +30,9 @@ inline constexpr double spot_m = 0.004;
                                                  const std::vector<PartFacts>& parts,
                                                  const HandState& hand);
 
-/// Translates the label that tracing gives a line by its kind and place (vision/simplify/simplify.h),
-/// "dashed line 2, upper left", or that of a face's part. Returns any other label as it is: a
-/// person named the part.
+/// Translates the label that tracing gives a line by its kind and place
+/// (vision/simplify/simplify.h), "dashed line 2, upper left", or that of a face's part. Returns any
+/// other label as it is: a person named the part.
 [[nodiscard]] std::string part_name(const std::string& label, const Language& language);
 
 }  // namespace touchline

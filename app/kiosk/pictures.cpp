@@ -1,10 +1,10 @@
 #include "app/kiosk/pictures.h"
 
-#include "app/decode/map_svg.h"
-#include "app/decode/opening.h"
-#include "app/gallery/gallery.h"
-#include "app/packs/pack_library.h"
-#include "app/session/told_lines.h"
+#include "app/documents/decode/map_svg.h"
+#include "app/documents/decode/opening.h"
+#include "app/documents/gallery/gallery.h"
+#include "app/documents/packs/pack_library.h"
+#include "app/visit/told_lines.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -2,11 +2,11 @@
 // its file, and the one that is felt until then. Threads: one; no call but read_gallery() waits.
 #pragma once
 
+#include "app/kiosk/loading/loader.h"
+#include "app/kiosk/loading/stages.h"
 #include "app/kiosk/picture_facts.h"
-#include "app/loading/loader.h"
-#include "app/loading/stages.h"
-#include "app/session/visit.h"
-#include "app/session/visit_orders.h"
+#include "app/visit/visit.h"
+#include "app/visit/visit_orders.h"
 #include "audio-cues/words/language.h"
 #include "config/types/result.h"
 
@@ -27,9 +27,9 @@ struct Gallery {
     FilePtr circle, square;                         // to practise on
 };
 
-/// The maps of `folder` in every language, then the pictures of the packs in `library` (app/packs;
-/// empty: none). Fails with one line if the folder cannot be used. Waits for one worker per picture
-/// of a pack.
+/// The maps of `folder` in every language, then the pictures of the packs in `library`
+/// (app/documents/packs; empty: none). Fails with one line if the folder cannot be used. Waits for
+/// one worker per picture of a pack.
 [[nodiscard]] Result<Gallery> read_gallery(const std::string& folder, const std::string& library,
                                            const std::vector<Language>& languages);
 

@@ -1,10 +1,10 @@
 #include "app/kiosk/stick_source.h"
 
-#include "app/decode/opening.h"
-#include "app/decode/side_car.h"
-#include "app/process/memory.h"
-#include "app/sticks/import.h"
-#include "app/sticks/names.h"
+#include "app/documents/decode/opening.h"
+#include "app/documents/decode/side_car.h"
+#include "app/documents/sticks/import.h"
+#include "app/documents/sticks/names.h"
+#include "app/isolation/process/memory.h"
 
 #include <atomic>
 #include <chrono>

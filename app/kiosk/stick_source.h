@@ -3,10 +3,10 @@
 // Threads: one; no call waits. A thread beside it lists a stick; any thread may open its files.
 #pragma once
 
-#include "app/loading/stages.h"
-#include "app/process/memory.h"
-#include "app/sticks/listing.h"
-#include "app/sticks/stick_port.h"
+#include "app/documents/sticks/listing.h"
+#include "app/documents/sticks/stick_port.h"
+#include "app/isolation/process/memory.h"
+#include "app/kiosk/loading/stages.h"
 #include "config/types/result.h"
 
 #include <cstdint>

@@ -2,7 +2,7 @@
 // the clock: the site's hours, and how long its visits last. Threads: plain values.
 #pragma once
 
-#include "app/session/visit_events.h"
+#include "app/visit/visit_events.h"
 #include "config/settings/setting_rows.h"
 #include "config/settings/settings.h"
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "app/cli/command_line.h"
-#include "app/servo/servo_client.h"
+#include "app/force/servo/servo_client.h"
 #include "config/types/result.h"
 #include "config/types/vec2.h"
 #include "haptics/device/hand.h"

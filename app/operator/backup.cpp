@@ -1,6 +1,6 @@
 #include "app/operator/backup.h"
 
-#include "app/decode/files.h"
+#include "app/documents/decode/files.h"
 #include "app/operator/settings_files.h"
 #include "config/settings/settings_text.h"
 

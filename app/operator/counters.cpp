@@ -1,6 +1,6 @@
 #include "app/operator/counters.h"
 
-#include "app/decode/files.h"
+#include "app/documents/decode/files.h"
 #include "app/operator/settings_files.h"
 
 #include <algorithm>

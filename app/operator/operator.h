@@ -2,12 +2,12 @@
 // state and the orders for the kiosk come out. Threads: values and pure functions.
 #pragma once
 
-#include "app/keys/key_wizard.h"
 #include "app/operator/counters.h"
 #include "app/operator/pin.h"
 #include "app/operator/self_test.h"
 #include "app/operator/setting_words.h"
-#include "app/session/screen_model.h"
+#include "app/visit/keys/key_wizard.h"
+#include "app/visit/screen_model.h"
 #include "config/settings/keys.h"
 #include "config/settings/settings.h"
 #include "config/settings/sound.h"

@@ -1,8 +1,8 @@
 #include "app/operator/pin.h"
 
-#include "app/decode/one_line.h"
+#include "app/documents/decode/one_line.h"
+#include "app/isolation/process/descriptor.h"
 #include "app/operator/settings_files.h"
-#include "app/process/descriptor.h"
 
 #include <algorithm>
 #include <array>

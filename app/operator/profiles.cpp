@@ -1,7 +1,7 @@
 #include "app/operator/profiles.h"
 
+#include "app/isolation/process/places.h"
 #include "app/operator/settings_files.h"
-#include "app/process/places.h"
 #include "config/settings/setting_rows.h"
 #include "config/settings/settings_text.h"
 

@@ -1,6 +1,6 @@
 #include "app/operator/self_test.h"
 
-#include "app/keys/key_wizard.h"
+#include "app/visit/keys/key_wizard.h"
 
 namespace touchline {
 namespace {

@@ -2,7 +2,7 @@
 // Threads: values and pure functions.
 #pragma once
 
-#include "app/session/screen_model.h"
+#include "app/visit/screen_model.h"
 
 #include <array>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #include "app/operator/settings_files.h"
 
-#include "app/decode/files.h"
-#include "app/process/places.h"
+#include "app/documents/decode/files.h"
+#include "app/isolation/process/places.h"
 #include "config/settings/settings_text.h"
 
 #include <system_error>

@@ -2,7 +2,7 @@
 // Threads: one at a time.
 #pragma once
 
-#include "app/decode/picture.h"
+#include "app/documents/decode/picture.h"
 
 #include <cstddef>
 #include <cstdint>

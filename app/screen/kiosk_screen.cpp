@@ -2,7 +2,7 @@
 
 #include "app/screen/marks.h"
 #include "app/screen/paint.h"
-#include "app/session/proxy_radius.h"
+#include "app/visit/proxy_radius.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 #include "app/screen/panel.h"
 #include "app/screen/screen_content.h"
 #include "app/screen/screen_layers.h"
-#include "app/session/status.h"
+#include "app/visit/status.h"
 #include "config/types/hand_state.h"
 
 #include <cstdint>

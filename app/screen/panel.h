@@ -4,7 +4,7 @@
 
 #include "app/screen/layout.h"
 #include "app/screen/theme.h"
-#include "app/session/status.h"
+#include "app/visit/status.h"
 #include "audio-cues/words/language.h"
 #include "haptics/servo/real_time.h"
 

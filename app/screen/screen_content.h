@@ -4,7 +4,7 @@
 
 #include "app/screen/canvas.h"
 #include "app/screen/theme.h"
-#include "app/session/screen_model.h"
+#include "app/visit/screen_model.h"
 #include "audio-cues/words/language.h"
 #include "config/types/hand_state.h"
 #include "haptics/collision/scene.h"

@@ -6,7 +6,7 @@
 #include "app/screen/layout.h"
 #include "app/screen/pages.h"
 #include "app/screen/text.h"
-#include "app/session/screen_model.h"
+#include "app/visit/screen_model.h"
 
 #include <cstdint>
 #include <optional>

@@ -1,6 +1,6 @@
 #include "app/sound/catalogues.h"
 
-#include "app/process/places.h"
+#include "app/isolation/process/places.h"
 
 #include <system_error>
 

@@ -2,7 +2,7 @@
 // Threads: one.
 #pragma once
 
-#include "app/process/descriptor.h"
+#include "app/isolation/process/descriptor.h"
 #include "audio-cues/output/outputs.h"
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 #include "app/sound/sound.h"
 
-#include "app/process/places.h"
+#include "app/isolation/process/places.h"
 #include "app/sound/headphone_switch.h"
 #include "audio-cues/cues/guidance.h"
 #include "audio-cues/output/sound_device.h"

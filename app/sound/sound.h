@@ -6,8 +6,8 @@
 
 #include "app/sound/catalogues.h"
 #include "app/sound/sound_loop.h"
+#include "app/sound/speak/speaker.h"
 #include "app/sound/visitor_sound.h"
-#include "app/speak/speaker.h"
 #include "audio-cues/cues/cue_step.h"
 
 #include <optional>

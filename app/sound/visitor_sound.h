@@ -2,7 +2,7 @@
 // Threads: one.
 #pragma once
 
-#include "app/session/visit_orders.h"
+#include "app/visit/visit_orders.h"
 #include "audio-cues/cues/cue_table.h"
 #include "audio-cues/output/outputs.h"
 #include "audio-cues/speech/speech_queue.h"

@@ -1,6 +1,6 @@
 // The voice itself, espeak-ng: text in, samples out. Untrusted texts reach its C code here, so it
-// runs in a process of its own (app/speak). Threads: one; one engine per process, because its state
-// is global.
+// runs in a process of its own (app/sound/speak). Threads: one; one engine per process, because its
+// state is global.
 #pragma once
 
 #include "audio-cues/speech/speech_input.h"

@@ -1,7 +1,7 @@
 // The one place where millimetres of a map's viewBox and metres of the picture frame W meet. vision
-// puts its points on the grid here, and app/decode writes and reads them here, so that a traced map
-// and the same map read back from its SVG hold the same bits. Threads: pure functions. Everything
-// is O(1).
+// puts its points on the grid here, and app/documents/decode writes and reads them here, so that a
+// traced map and the same map read back from its SVG hold the same bits. Threads: pure functions.
+// Everything is O(1).
 #pragma once
 
 #include "config/types/tactile_map.h"

@@ -1,5 +1,5 @@
 // The servo: the loop that owns the device and turns motion into force, 1000 times a second. Only
-// app/ knows whether it runs as a thread of the kiosk or as a process of its own (app/servo).
+// app/ knows whether it runs as a thread of the kiosk or as a process of its own (app/force/servo).
 #pragma once
 
 #include "config/types/contact_event.h"

@@ -1,6 +1,6 @@
 // Any text gives a map of our own within its area and limits, or one clear line; a language changes
 // only the words.
-#include "app/decode/map_svg.h"
+#include "app/documents/decode/map_svg.h"
 
 #include <cstddef>
 #include <cstdint>

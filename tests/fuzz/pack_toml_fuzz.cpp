@@ -1,6 +1,6 @@
 // Any bytes give one finding, or a sound pack.toml that stays the same when written and read again.
-#include "app/packs/pack.h"
-#include "app/packs/plain_names.h"
+#include "app/documents/packs/pack.h"
+#include "app/documents/packs/plain_names.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Any answer of a worker gives a sound page, sound words or one clear line.
-#include "app/decode/found_words.h"
+#include "app/documents/decode/found_words.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Any bytes give a sound listing of a stick or one clear line.
-#include "app/sticks/listing.h"
+#include "app/documents/sticks/listing.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,9 +1,9 @@
 // Any bytes give a name that can be shown, said and sorted without harm.
-#include "app/decode/side_car.h"
-#include "app/sticks/first_letters.h"
-#include "app/sticks/listing.h"
-#include "app/sticks/names.h"
-#include "app/sticks/spoken_name.h"
+#include "app/documents/decode/side_car.h"
+#include "app/documents/sticks/first_letters.h"
+#include "app/documents/sticks/listing.h"
+#include "app/documents/sticks/names.h"
+#include "app/documents/sticks/spoken_name.h"
 #include "config/types/utf8.h"
 
 #include <array>

@@ -1,6 +1,6 @@
 // Any answer of a tracing worker gives a sound map or one clear line; the bytes of its lines lie
 // within the answer.
-#include "app/trace/traced.h"
+#include "app/documents/trace/traced.h"
 
 #include <algorithm>
 #include <cstddef>

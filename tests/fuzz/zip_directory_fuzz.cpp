@@ -1,7 +1,7 @@
 // Any directory at the end of a zip file gives plain names within the limits, or a finding.
-#include "app/packs/pack.h"
-#include "app/packs/plain_names.h"
-#include "app/packs/unpack_work.h"
+#include "app/documents/packs/pack.h"
+#include "app/documents/packs/plain_names.h"
+#include "app/documents/packs/unpack_work.h"
 
 #include <cstddef>
 #include <cstdint>

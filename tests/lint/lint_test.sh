@@ -13,7 +13,7 @@ start_tree() {
     mkdir -p "$tree"/{config/types,vision/contour,haptics/{curve,contact,servo},app/{screen,decode},tests/vision}
     local folder
     for folder in . config config/types vision vision/contour haptics haptics/{curve,contact,servo} \
-        app app/screen app/decode tests; do
+        app app/screen app/documents/decode tests; do
         echo 'What it is.' >"$tree/$folder/README.md"
     done
     write config/types/vec2.h '#pragma once' '#include <cmath>'
@@ -75,11 +75,11 @@ bad_include haptics/servo/loop.cpp '<libusb-1.0/libusb.h>' 'allowed in: haptics/
 bad_include vision/contour/edges.cpp '<opencv2/imgcodecs.hpp>' 'allowed in: nobody'
 bad_include tests/vision/edges_test.cpp '<opencv2/highgui.hpp>' 'allowed in: nobody'
 bad_include vision/contour/edges.cpp '<opencv2/opencv.hpp>' 'allowed in: nobody'
-bad_include vision/contour/edges.cpp '<png.h>' 'allowed in: app/decode'
-bad_include app/screen/window.cpp '<pugixml.hpp>' 'allowed in: app/decode'
-bad_include app/decode/svg.cpp '<GLFW/glfw3.h>' 'allowed in: app/screen'
-bad_include app/decode/svg.cpp '<gtest/gtest.h>' 'allowed in: tests'
-bad_include app/decode/svg.cpp '<nowhere/any.hpp>' 'no rule names this library'
+bad_include vision/contour/edges.cpp '<png.h>' 'allowed in: app/documents/decode'
+bad_include app/screen/window.cpp '<pugixml.hpp>' 'allowed in: app/documents/decode'
+bad_include app/documents/decode/svg.cpp '<GLFW/glfw3.h>' 'allowed in: app/screen'
+bad_include app/documents/decode/svg.cpp '<gtest/gtest.h>' 'allowed in: tests'
+bad_include app/documents/decode/svg.cpp '<nowhere/any.hpp>' 'no rule names this library'
 start_tree
 write haptics/curve/curve.cpp '#include "config/types/vec2.h"' '#include "haptics/curve/curve.h"'
 finds includes 'haptics/curve/curve.cpp:1: includes config/types/vec2.h: its own header comes first: haptics/curve/curve.h'

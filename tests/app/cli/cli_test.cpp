@@ -1,9 +1,9 @@
 // Tests every option of trace, curve and feel through the command line, as a user types it.
 #include "app/cli/command_line.h"
 #include "app/cli/hand_csv.h"
-#include "app/decode/files.h"
-#include "app/decode/map_svg.h"
-#include "app/decode/png_writer.h"
+#include "app/documents/decode/files.h"
+#include "app/documents/decode/map_svg.h"
+#include "app/documents/decode/png_writer.h"
 #include "haptics/contact/contact_machine.h"
 
 #include <algorithm>

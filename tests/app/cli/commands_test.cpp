@@ -1,6 +1,6 @@
 // Tests touchline settings and touchline models, as a user types them.
 #include "app/cli/command_line.h"
-#include "app/models/networks.h"
+#include "app/documents/models/networks.h"
 #include "config/settings/settings_text.h"
 
 #include <array>

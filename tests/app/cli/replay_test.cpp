@@ -2,9 +2,9 @@
 
 #include "app/cli/command_line.h"
 #include "app/cli/load.h"
-#include "app/decode/files.h"
-#include "app/gallery/gallery.h"
-#include "app/servo/scene_order.h"
+#include "app/documents/decode/files.h"
+#include "app/documents/gallery/gallery.h"
+#include "app/force/servo/scene_order.h"
 #include "haptics/device/simulated_pantograph.h"
 #include "haptics/servo/recording.h"
 #include "haptics/servo/servo_loop.h"

@@ -1,8 +1,8 @@
 #include "app/cli/tour.h"
 
-#include "app/decode/map_svg.h"
-#include "app/decode/picture.h"
-#include "app/session/proxy_radius.h"
+#include "app/documents/decode/map_svg.h"
+#include "app/documents/decode/picture.h"
+#include "app/visit/proxy_radius.h"
 
 #include <cmath>
 #include <filesystem>

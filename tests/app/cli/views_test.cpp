@@ -1,11 +1,11 @@
 // Tests that every command and the kiosk see the same view and the same lines of a picture.
 #include "app/cli/command_line.h"
 #include "app/cli/tour.h"
-#include "app/decode/files.h"
-#include "app/decode/map_svg.h"
-#include "app/decode/png_writer.h"
-#include "app/loading/kiosk_stages.h"
-#include "tests/app/decode/files_of_formats.h"
+#include "app/documents/decode/files.h"
+#include "app/documents/decode/map_svg.h"
+#include "app/documents/decode/png_writer.h"
+#include "app/kiosk/loading/kiosk_stages.h"
+#include "tests/app/documents/decode/files_of_formats.h"
 
 #include <algorithm>
 #include <cmath>

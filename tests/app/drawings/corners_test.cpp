@@ -1,6 +1,6 @@
 // Tests closed pen lines with sharp corners, from the file to the map: each must be one closed line
 // with its corners where they were drawn. TOUCHLINE_EXHAUSTIVE=1 tries more (tests/README.md).
-#include "tests/app/decode/encoders.h"
+#include "tests/app/documents/decode/encoders.h"
 #include "tests/app/drawings/felt.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 #include "tests/app/drawings/felt.h"
 
-#include "app/decode/opening.h"
-#include "app/decode/words_in_picture.h"
-#include "app/trace/page_views.h"
-#include "app/trace/tracing.h"
+#include "app/documents/decode/opening.h"
+#include "app/documents/decode/words_in_picture.h"
+#include "app/documents/trace/page_views.h"
+#include "app/documents/trace/tracing.h"
 #include "vision/simplify/detail_limits.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // it. Threads: any, each call by itself.
 #pragma once
 
-#include "app/decode/page.h"
+#include "app/documents/decode/page.h"
 #include "config/types/result.h"
 #include "config/types/tactile_map.h"
 #include "tests/app/drawings/paint.h"

@@ -1,6 +1,6 @@
 #include "tests/app/drawings/pdf_figures.h"
 
-#include "tests/app/decode/pdf_writer.h"
+#include "tests/app/documents/decode/pdf_writer.h"
 #include "tests/app/drawings/forms.h"
 #include "tests/app/drawings/svg_features.h"
 

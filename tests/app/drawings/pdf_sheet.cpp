@@ -1,6 +1,6 @@
 #include "tests/app/drawings/pdf_sheet.h"
 
-#include "tests/app/decode/pdf_writer.h"
+#include "tests/app/documents/decode/pdf_writer.h"
 
 #include <algorithm>
 #include <cmath>

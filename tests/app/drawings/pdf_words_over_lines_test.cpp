@@ -1,5 +1,5 @@
 // Tests that words on a PDF's drawing, visible or not, take none of its lines away.
-#include "tests/app/decode/pdf_writer.h"
+#include "tests/app/documents/decode/pdf_writer.h"
 #include "tests/app/drawings/felt.h"
 #include "vision/simplify/detail_limits.h"
 

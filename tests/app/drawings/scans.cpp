@@ -1,6 +1,6 @@
 #include "tests/app/drawings/scans.h"
 
-#include "tests/app/decode/encoders.h"
+#include "tests/app/documents/decode/encoders.h"
 #include "tests/app/drawings/felt.h"
 #include "tests/vision/pictures/chance.h"
 

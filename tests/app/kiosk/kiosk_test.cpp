@@ -33,7 +33,7 @@ TEST(Kiosk, SP1_AKeyBeginsAVisitWithSpeechAtOnce) {
 TEST(Kiosk, ADetailOfAPictureOfAStickThatWasPulledIsOfThatPicture) {
     KioskWorld world;
     BlindVisitor visitor(world);
-    world.put_stick({TOUCHLINE_SOURCE_DIR "/app/gallery/pictures/07-house.svg"});
+    world.put_stick({TOUCHLINE_SOURCE_DIR "/app/documents/gallery/pictures/07-house.svg"});
     visitor.press(KeyRole::select);
     ASSERT_TRUE(visitor.choose("English"));
     ASSERT_TRUE(visitor.choose("Your USB stick"));
@@ -89,7 +89,7 @@ TEST(Kiosk, AStickThatComesAtGoodbyeIsTheNextVisitors) {
     ASSERT_TRUE(visitor.choose("English"));
     ASSERT_TRUE(visitor.choose("Finish"));
     ASSERT_TRUE(visitor.choose("Yes"));
-    world.put_stick({TOUCHLINE_SOURCE_DIR "/app/gallery/pictures/07-house.svg"});
+    world.put_stick({TOUCHLINE_SOURCE_DIR "/app/documents/gallery/pictures/07-house.svg"});
     world.run(30.0);
     visitor.press(KeyRole::select);
     ASSERT_TRUE(visitor.choose("English"));

@@ -1,8 +1,8 @@
 #include "tests/app/kiosk/kiosk_world.h"
 
+#include "app/documents/sticks/stick_port.h"
+#include "app/isolation/process/places.h"
 #include "app/kiosk/stick_source.h"
-#include "app/process/places.h"
-#include "app/sticks/stick_port.h"
 #include "tests/machines/sim/kiosk/due_jobs.h"
 #include "vision/camera/folder_camera.h"
 

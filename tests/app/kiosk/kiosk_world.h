@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/kiosk/kiosk.h"
-#include "app/loading/kiosk_stages.h"
+#include "app/kiosk/loading/kiosk_stages.h"
 #include "tests/app/kiosk/stepped_servo.h"
 #include "tests/machines/sim/kiosk/house.h"
 

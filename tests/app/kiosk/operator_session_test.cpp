@@ -1,10 +1,10 @@
 // Tests OperatorSession on real files, through restarts of the kiosk.
 #include "app/kiosk/operator_session.h"
 
-#include "app/decode/files.h"
-#include "app/models/networks.h"
+#include "app/documents/decode/files.h"
+#include "app/documents/models/networks.h"
+#include "app/documents/sticks/listing.h"
 #include "app/operator/pin.h"
-#include "app/sticks/listing.h"
 #include "tests/app/kiosk/kiosk_world.h"
 
 #include <chrono>

@@ -1,7 +1,7 @@
 // Tests the files behind the choices of a visit, and the camera's way to one.
 #include "app/kiosk/pictures.h"
 
-#include "app/gallery/gallery.h"
+#include "app/documents/gallery/gallery.h"
 #include "app/kiosk/photo_capture.h"
 
 #include <filesystem>
@@ -23,7 +23,8 @@ FilePtr file_named(const std::string& name) {
 TEST(Pictures, TheGalleryIsReadInEveryLanguage) {
     std::vector<Language> languages(1);
     languages.push_back(Language::load(TOUCHLINE_CATALOGUES, "de").value());
-    const auto gallery = read_gallery(TOUCHLINE_SOURCE_DIR "/app/gallery/pictures", "", languages);
+    const auto gallery =
+        read_gallery(TOUCHLINE_SOURCE_DIR "/app/documents/gallery/pictures", "", languages);
     ASSERT_TRUE(gallery.has_value()) << gallery.error().line;
     ASSERT_EQ(gallery->titles.size(), 2U);
     ASSERT_EQ(gallery->titles[0].size(), gallery->titles[1].size());
@@ -44,7 +45,7 @@ TEST(Pictures, OneThatCannotBeOpenedIsToldByItsTitle) {
     namespace fs = std::filesystem;
     const fs::path folder =
         fs::path(testing::TempDir()) / ("touchline-gallery-" + std::to_string(getpid()));
-    fs::copy(TOUCHLINE_SOURCE_DIR "/app/gallery/pictures", folder);
+    fs::copy(TOUCHLINE_SOURCE_DIR "/app/documents/gallery/pictures", folder);
     const auto gallery = read_gallery(folder, "", std::vector<Language>(1));
     fs::remove_all(folder);
     ASSERT_TRUE(gallery.has_value()) << gallery.error().line;

@@ -2,7 +2,7 @@
 // Threads: one.
 #pragma once
 
-#include "app/servo/servo_client.h"
+#include "app/force/servo/servo_client.h"
 #include "haptics/device/hand.h"
 #include "haptics/device/simulated_pantograph.h"
 #include "haptics/servo/rendering.h"

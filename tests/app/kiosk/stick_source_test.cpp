@@ -2,9 +2,9 @@
 // touchline-import, real workers.
 #include "app/kiosk/stick_source.h"
 
-#include "app/sticks/stick_port.h"
-#include "tests/app/decode/files_of_formats.h"
-#include "tests/app/sticks/stick_folder.h"
+#include "app/documents/sticks/stick_port.h"
+#include "tests/app/documents/decode/files_of_formats.h"
+#include "tests/app/documents/sticks/stick_folder.h"
 
 #include <chrono>
 #include <filesystem>

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path pictures = TOUCHLINE_SOURCE_DIR "/app/gallery/pictures";
+const fs::path pictures = TOUCHLINE_SOURCE_DIR "/app/documents/gallery/pictures";
 
 /// Moves the hand along each outline of what is felt and returns the share of the length that was
 /// felt: the handle within 2 mm of the outline while the outline held the hand.

@@ -67,7 +67,7 @@ class Kiosk : public testing::Test {
     static constexpr const char* tools = "program='" TOUCHLINE_PROGRAM
                                          "'\n"
                                          "export TOUCHLINE_GALLERY='" TOUCHLINE_SOURCE_DIR
-                                         "/app/gallery/pictures'\n"
+                                         "/app/documents/gallery/pictures'\n"
                                          "export TOUCHLINE_RECORDINGS=kept\n"
                                          R"(
 kiosk() { "$program" "$@" >out.txt 2>err.txt & pid=$!; }

@@ -1,9 +1,9 @@
 #include "tests/app/screen/every_screen.h"
 
 #include "app/operator/operator.h"
-#include "app/session/visit.h"
-#include "tests/app/session/fake_world.h"
-#include "tests/app/session/visit_scenes.h"
+#include "app/visit/visit.h"
+#include "tests/app/visit/fake_world.h"
+#include "tests/app/visit/visit_scenes.h"
 
 #include <algorithm>
 #include <string>

@@ -1,7 +1,7 @@
 // Screens of every kind, made from words of the catalogues, for measuring how they are drawn.
 #pragma once
 
-#include "app/session/screen_model.h"
+#include "app/visit/screen_model.h"
 #include "audio-cues/words/language.h"
 
 #include <string>

@@ -1,6 +1,6 @@
 #include "tests/audio-cues/hand/hand_sound.h"
 
-#include "app/servo/scene_order.h"
+#include "app/force/servo/scene_order.h"
 #include "audio-cues/cues/cue_step.h"
 #include "audio-cues/cues/guidance.h"
 #include "haptics/device/simulated_pantograph.h"

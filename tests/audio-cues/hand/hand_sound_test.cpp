@@ -1,6 +1,6 @@
 #include "tests/audio-cues/hand/hand_sound.h"
 
-#include "app/decode/map_svg.h"
+#include "app/documents/decode/map_svg.h"
 #include "audio-cues/cues/cue_table.h"
 #include "tests/audio-cues/hand/rows_of_picture.h"
 #include "tests/audio-cues/spectrum.h"
@@ -120,7 +120,7 @@ TEST(HandSound, EveryCueIsWithinABlockOfItsEvent) {
 
 TEST(HandSound, ThreePicturesOfTheGalleryAreHeardWithoutClicksOrOverload) {
     for (const char* name : {"01-shapes", "06-fish", "07-house"}) {
-        const auto map = read_map_svg(TOUCHLINE_SOURCE_DIR "/app/gallery/pictures/" +
+        const auto map = read_map_svg(TOUCHLINE_SOURCE_DIR "/app/documents/gallery/pictures/" +
                                       std::string(name) + ".svg");
         ASSERT_TRUE(map);
         const auto run = follow(*map, rows_of_picture(map->area), 0.04);

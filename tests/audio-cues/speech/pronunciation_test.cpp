@@ -1,10 +1,10 @@
 // Tests how the voices say what must be understood at once: letters, digits, keys, places, hours,
 // codes, dates and names of files. Somebody has read every line of said/CODE.txt as phonemes; a
 // test fails on anything said otherwise and shows the new line. Listen to it before you put it in.
-#include "app/sticks/spoken_name.h"
+#include "app/documents/sticks/spoken_name.h"
 #include "audio-cues/speech/espeak_engine.h"
 #include "audio-cues/speech/speech_input.h"
-#include "tests/app/gallery/pictures.h"
+#include "tests/app/documents/gallery/pictures.h"
 #include "tests/audio-cues/words/po_file.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Tests the rules of audio-cues/words/README.md on every catalogue.
-#include "app/session/status.h"
-#include "app/session/told_lines.h"
-#include "app/session/visit_orders.h"
+#include "app/visit/status.h"
+#include "app/visit/told_lines.h"
+#include "app/visit/visit_orders.h"
 #include "audio-cues/cues/cue_table.h"
 #include "audio-cues/words/language.h"
 #include "tests/audio-cues/words/po_file.h"

@@ -1,7 +1,7 @@
 #include "haptics/curve/spacing.h"
 
-#include "app/decode/map_svg.h"
-#include "app/gallery/gallery.h"
+#include "app/documents/decode/map_svg.h"
+#include "app/documents/gallery/gallery.h"
 #include "tests/haptics/curve/uniform_points.h"
 #include "tests/haptics/scenes.h"
 
@@ -46,9 +46,10 @@ TEST_P(Gallery, TakesNoMorePointsThanItNeedsAndQuarterFewerWouldNotDo) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Spacing, Gallery,
-    testing::ValuesIn(list_gallery(TOUCHLINE_SOURCE_DIR "/app/gallery/pictures").value()));
+INSTANTIATE_TEST_SUITE_P(Spacing, Gallery,
+                         testing::ValuesIn(list_gallery(TOUCHLINE_SOURCE_DIR
+                                                        "/app/documents/gallery/pictures")
+                                               .value()));
 
 TEST(Spacing, CountsAreFourToSevenTimesAPowerOfTwo) {
     EXPECT_EQ(count_below(0.2, false), 1U);

@@ -26,7 +26,7 @@ MOST_MEMORY = 4 << 30  # a mutant may grow without end
 # The test programs of a folder; beside some are the programs that they start.
 PROGRAMS = {
     'safety': ('haptics/safety', ['safety_test']),
-    'sandbox': ('app/sandbox', ['sandbox_policy_test', 'worker_test', 'stick_fence_test', 'sandbox_test']),
+    'sandbox': ('app/isolation/sandbox', ['sandbox_policy_test', 'worker_test', 'stick_fence_test', 'sandbox_test']),
     'contact': ('haptics/contact', ['contact_traces_test', 'contact_test', 'groove_test', 'contact_diagram_test']),
 }
 STARTED = {'sandbox_test': ['sandbox_probe']}

@@ -18,7 +18,7 @@ OUT, ROOT = figures.OUT, figures.ROOT
 
 def coverage():
     rows = []
-    for name, what in (('safety', 'haptics/safety'), ('sandbox', 'the policy of app/sandbox')):
+    for name, what in (('safety', 'haptics/safety'), ('sandbox', 'the policy of app/isolation/sandbox')):
         found = json.loads((OUT / f'{name}.json').read_text())
         covered, of_all = found['branch_covered'], found['branch_total']
         share = 100.0 * covered / of_all
@@ -111,7 +111,7 @@ def workers():
              bombs['worst_ms'] <= 6000, f'{how}: test Bombs.AreRefusedWithoutHarm, {bombs["tried"]} bombs'),
             (12, "growth of the kiosk's memory by a bomb, worst, kB", f'{bombs["worst_kB"]}', '<= 1024',
              bombs['worst_kB'] <= 1024, f'{how}: test Bombs.AreRefusedWithoutHarm')]
-    probe = str(ROOT / 'build/release/tests/app/sandbox/sandbox_probe')
+    probe = str(ROOT / 'build/release/tests/app/isolation/sandbox/sandbox_probe')
     with_it, median_with = least_ms([probe, 'all', '0', 'nothing'], 300)
     without, median_without = least_ms([probe, 'none', '0', 'nothing'], 300)
     rows.append((13, 'cost of the sandbox, ms: least (median)',

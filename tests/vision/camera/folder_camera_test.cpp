@@ -1,7 +1,7 @@
 #include "vision/camera/folder_camera.h"
 
-#include "app/decode/picture.h"
-#include "app/decode/png_writer.h"
+#include "app/documents/decode/picture.h"
+#include "app/documents/decode/png_writer.h"
 #include "tests/vision/camera/frames.h"
 
 #include <cstdlib>

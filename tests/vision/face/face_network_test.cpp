@@ -1,6 +1,6 @@
 #include "vision/face/face_network.h"
 
-#include "app/decode/files.h"
+#include "app/documents/decode/files.h"
 #include "tests/vision/face/made_face.h"
 #include "vision/face/person_network.h"
 

@@ -1,7 +1,7 @@
 // The shipped network on pictures that the tests draw.
 #include "vision/face/person_network.h"
 
-#include "app/decode/files.h"
+#include "app/documents/decode/files.h"
 #include "tests/vision/face/made_face.h"
 #include "vision/face/face_mesh.h"
 

@@ -1,7 +1,7 @@
 // The shipped network on pictures that the tests draw.
 #include "vision/name/name_network.h"
 
-#include "app/decode/files.h"
+#include "app/documents/decode/files.h"
 #include "tests/vision/figure/onnx_writer.h"
 #include "vision/name/names.h"
 

@@ -1,7 +1,7 @@
 #include "tests/vision/pictures/effects.h"
 
-#include "tests/app/decode/decoding_here.h"
-#include "tests/app/decode/encoders.h"
+#include "tests/app/documents/decode/decoding_here.h"
+#include "tests/app/documents/decode/encoders.h"
 
 #include <cmath>
 

@@ -2,9 +2,9 @@
 //   contact_sheet [--area WxH] -o SHEET.png PICTURE...
 // Each picture has a row: the picture, then detail 1 ... 5, the drawing area as a frame, words
 // below.
-#include "app/decode/files.h"
-#include "app/decode/picture.h"
-#include "app/decode/png_writer.h"
+#include "app/documents/decode/files.h"
+#include "app/documents/decode/picture.h"
+#include "app/documents/decode/png_writer.h"
 #include "vision/simplify/trace.h"
 
 #include <cstdio>

@@ -1,9 +1,9 @@
 #include "tests/app/kiosk/transcripts/staged_kiosk.h"
 
-#include "app/device/device_words.h"
-#include "app/loading/kiosk_stages.h"
-#include "app/loading/stages.h"
-#include "app/trace/finding_things.h"
+#include "app/documents/trace/finding_things.h"
+#include "app/force/device/device_words.h"
+#include "app/kiosk/loading/kiosk_stages.h"
+#include "app/kiosk/loading/stages.h"
 #include "config/settings/settings_text.h"
 #include "tests/machines/sim/kiosk/due_jobs.h"
 #include "tests/machines/sim/kiosk/house.h"

@@ -1,5 +1,5 @@
 // S10 to S13: ends of lines, doubled lines, very many very short pieces, gaps.
-#include "app/session/proxy_radius.h"
+#include "app/visit/proxy_radius.h"
 #include "tests/haptics/contact/scenarios/runner.h"
 
 #include <algorithm>

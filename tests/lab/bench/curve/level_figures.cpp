@@ -1,6 +1,6 @@
 #include "app/cli/load.h"
-#include "app/decode/files.h"
-#include "app/gallery/gallery.h"
+#include "app/documents/decode/files.h"
+#include "app/documents/gallery/gallery.h"
 #include "haptics/curve/wavelet.h"
 #include "tests/lab/bench/curve/coarse_curve.h"
 #include "tests/lab/bench/curve/outlines.h"

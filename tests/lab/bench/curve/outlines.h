@@ -2,7 +2,7 @@
 // point. Threads: any.
 #pragma once
 
-#include "app/gallery/gallery.h"
+#include "app/documents/gallery/gallery.h"
 #include "config/types/result.h"
 #include "config/types/tactile_map.h"
 

@@ -1,4 +1,4 @@
-#include "app/decode/map_svg.h"
+#include "app/documents/decode/map_svg.h"
 #include "haptics/pantograph/profile.h"
 #include "tests/haptics/curve/uniform_points.h"
 #include "tests/lab/bench/curve/outlines.h"

@@ -1,6 +1,6 @@
 #include "tests/lab/bench/curve/report.h"
 
-#include "app/decode/files.h"
+#include "app/documents/decode/files.h"
 
 #include <sstream>
 

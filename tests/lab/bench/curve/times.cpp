@@ -1,5 +1,5 @@
 #include "app/cli/load.h"
-#include "app/gallery/gallery.h"
+#include "app/documents/gallery/gallery.h"
 #include "tests/lab/bench/curve/coarse_curve.h"
 #include "tests/lab/bench/curve/filters.h"
 #include "tests/lab/bench/curve/outlines.h"

@@ -1,11 +1,11 @@
 // How soon the kiosk answers, in real time, with all its parts except window and sound card. The
 // device here asks for a block of 128 frames when a card would, two blocks ahead, and notes when
 // the first audible one was rendered. What the card adds is not measured.
+#include "app/force/servo/servo_thread.h"
+#include "app/isolation/process/places.h"
 #include "app/kiosk/kiosk.h"
-#include "app/loading/kiosk_stages.h"
-#include "app/loading/loader.h"
-#include "app/process/places.h"
-#include "app/servo/servo_thread.h"
+#include "app/kiosk/loading/kiosk_stages.h"
+#include "app/kiosk/loading/loader.h"
 #include "app/sound/sound.h"
 #include "config/types/steady_clock.h"
 #include "haptics/device/simulated_pantograph.h"
@@ -78,8 +78,9 @@ class RealKiosk {
     RealKiosk() {
         KioskParts parts;
         parts.languages = std::vector<Language>(1);
-        parts.gallery =
-            read_gallery(TOUCHLINE_SOURCE_DIR "/app/gallery/pictures", "", parts.languages).value();
+        parts.gallery = read_gallery(TOUCHLINE_SOURCE_DIR "/app/documents/gallery/pictures", "",
+                                     parts.languages)
+                            .value();
         auto servo = std::make_unique<ServoThread>();
         (void)servo->start(
             std::make_unique<SimulatedPantograph>(default_profile(), SimulationOptions{},

@@ -4,8 +4,8 @@
 //   opening_compare FILE...
 //
 // Prints a line for each and a count. The exit status is 1 if one differs too much.
-#include "app/decode/opening.h"
-#include "tests/app/decode/reference.h"
+#include "app/documents/decode/opening.h"
+#include "tests/app/documents/decode/reference.h"
 
 #include <string>
 

@@ -1,11 +1,11 @@
 // Stages from the bytes of a file to what is felt, the least and the median of some runs:
 //
 //   opening_bench RUNS FILE...
-#include "app/decode/files.h"
-#include "app/decode/opening.h"
-#include "app/decode/words_in_picture.h"
-#include "app/servo/scene_order.h"
-#include "app/trace/tracing.h"
+#include "app/documents/decode/files.h"
+#include "app/documents/decode/opening.h"
+#include "app/documents/decode/words_in_picture.h"
+#include "app/documents/trace/tracing.h"
+#include "app/force/servo/scene_order.h"
 #include "config/types/steady_clock.h"
 
 #include <algorithm>

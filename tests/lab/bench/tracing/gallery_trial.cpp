@@ -1,8 +1,8 @@
 #include "tests/lab/bench/tracing/gallery_trial.h"
 
-#include "app/decode/map_svg.h"
-#include "app/gallery/gallery.h"
-#include "app/servo/scene_order.h"
+#include "app/documents/decode/map_svg.h"
+#include "app/documents/gallery/gallery.h"
+#include "app/force/servo/scene_order.h"
 
 #include <filesystem>
 #include <random>

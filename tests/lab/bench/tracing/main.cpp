@@ -1,7 +1,7 @@
 // Traces every picture of a gallery. Writes a table of numbers, and the paths for the chart.
-#include "app/decode/map_svg.h"
-#include "app/gallery/gallery.h"
-#include "app/servo/scene_order.h"
+#include "app/documents/decode/map_svg.h"
+#include "app/documents/gallery/gallery.h"
+#include "app/force/servo/scene_order.h"
 #include "tests/lab/bench/tracing/gallery_trial.h"
 
 #include <cstdio>

@@ -1,5 +1,5 @@
 // Traces a few pictures of the gallery by feel, and shows that nobody can without force.
-#include "app/gallery/gallery.h"
+#include "app/documents/gallery/gallery.h"
 #include "tests/lab/bench/tracing/gallery_trial.h"
 
 #include <algorithm>

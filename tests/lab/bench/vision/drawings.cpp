@@ -1,8 +1,8 @@
 // Measures what of drawings reaches the hand, and in what time. drawings_bench RESULTS writes
 // drawings.csv and drawings_sizes.csv there; drawings_bench RESULTS PROGRAM writes to
 // drawings_before.csv what the maps of another touchline program show of them.
-#include "app/decode/map_svg.h"
-#include "app/process/child.h"
+#include "app/documents/decode/map_svg.h"
+#include "app/isolation/process/child.h"
 #include "tests/app/drawings/charts.h"
 #include "tests/app/drawings/felt.h"
 #include "tests/app/drawings/pdf_drawings.h"

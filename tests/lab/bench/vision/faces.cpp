@@ -2,8 +2,8 @@
 // line names a picture in the folder PICTURES, without its extension, what it shows, and the pose;
 // the rest is for readers. Writes a row of CSV for each picture to the standard output, and the map
 // of its widest face to OUT/NAME.svg; the memory is that of this process.
-#include "app/decode/map_svg.h"
-#include "app/models/networks.h"
+#include "app/documents/decode/map_svg.h"
+#include "app/documents/models/networks.h"
 #include "tests/lab/bench/vision/pictures.h"
 #include "vision/face/face_network.h"
 #include "vision/face/person_network.h"

@@ -4,7 +4,7 @@
 // that of this process.
 #include "vision/figure/figures.h"
 
-#include "app/models/networks.h"
+#include "app/documents/models/networks.h"
 #include "tests/lab/bench/vision/pictures.h"
 #include "vision/contour/rings.h"
 #include "vision/figure/figure_network.h"

@@ -4,7 +4,7 @@
 // picture, as shipped.
 #include "vision/name/names.h"
 
-#include "app/decode/files.h"
+#include "app/documents/decode/files.h"
 #include "tests/lab/bench/vision/pictures.h"
 #include "vision/name/name_network.h"
 

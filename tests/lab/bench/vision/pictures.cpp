@@ -1,7 +1,7 @@
 #include "tests/lab/bench/vision/pictures.h"
 
-#include "app/decode/files.h"
-#include "app/decode/picture.h"
+#include "app/documents/decode/files.h"
+#include "app/documents/decode/picture.h"
 #include "tests/vision/boundary/glyphs.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // takes each NAME.svg below FOLDER that has a NAME.png beside it, painted by another program, and
 // writes RESULTS/suite.csv (a row for each chapter, the folders of FOLDER) and a row for each
 // drawing.
-#include "app/decode/opening.h"
+#include "app/documents/decode/opening.h"
 #include "tests/app/drawings/paint.h"
 #include "tests/lab/bench/vision/picture_truth.h"
 #include "vision/simplify/detail_limits.h"

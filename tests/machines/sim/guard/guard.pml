@@ -1,4 +1,4 @@
-/* Who zeroes the torque when kiosk, servo or both fail in the midst of anything: the three parties of app/servo, by hand.
+/* Who zeroes the torque when kiosk, servo or both fail in the midst of anything: the three parties of app/force/servo, by hand.
    A look of the guard and a tick of the servo are one step each; silence is counted in steps, so any order of them is tried.
    Either process dies or freezes at any moment; the guard, a thread of the kiosk, does so with it. */
 

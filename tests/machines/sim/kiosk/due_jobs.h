@@ -2,7 +2,7 @@
 // Threads: one.
 #pragma once
 
-#include "app/loading/loader.h"
+#include "app/kiosk/loading/loader.h"
 
 #include <cstdint>
 #include <functional>

@@ -1,7 +1,7 @@
 #include "tests/machines/sim/kiosk/house.h"
 
-#include "app/decode/map_svg.h"
-#include "app/process/places.h"
+#include "app/documents/decode/map_svg.h"
+#include "app/isolation/process/places.h"
 #include "config/settings/setting_rows.h"
 #include "config/settings/settings.h"
 
@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path pictures = TOUCHLINE_SOURCE_DIR "/app/gallery/pictures";
+const fs::path pictures = TOUCHLINE_SOURCE_DIR "/app/documents/gallery/pictures";
 
 constexpr int blank_px = 64;
 constexpr std::uint8_t white = 255;

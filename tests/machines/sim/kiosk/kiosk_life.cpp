@@ -1,6 +1,6 @@
 #include "tests/machines/sim/kiosk/kiosk_life.h"
 
-#include "app/loading/kiosk_stages.h"
+#include "app/kiosk/loading/kiosk_stages.h"
 #include "tests/machines/sim/kiosk/house.h"
 
 #include <string>

@@ -2,9 +2,9 @@
 // camera, and its end of the line to the servo. Threads: one.
 #pragma once
 
+#include "app/force/servo/running_servo.h"
+#include "app/force/servo/servo_connection.h"
 #include "app/kiosk/kiosk.h"
-#include "app/servo/running_servo.h"
-#include "app/servo/servo_connection.h"
 #include "tests/machines/sim/kiosk/due_jobs.h"
 #include "tests/machines/sim/kiosk/house.h"
 #include "tests/machines/sim/kiosk/line_servo.h"

@@ -1,8 +1,8 @@
 // The servo as a simulated kiosk sees it: the real line to it, on site time. Threads: one.
 #pragma once
 
-#include "app/servo/servo_client.h"
-#include "app/servo/servo_connection.h"
+#include "app/force/servo/servo_client.h"
+#include "app/force/servo/servo_connection.h"
 
 #include <cmath>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "tests/machines/sim/kiosk/servo_life.h"
 
-#include "app/servo/messages.h"
+#include "app/force/servo/messages.h"
 
 #include <limits>
 #include <utility>

@@ -1,9 +1,10 @@
-// One servo process at a simulated site, from its start to its end: what app/servo/servo_program.h
-// does with the real driver, loop and messages, in the site's one thread and time. Threads: one.
+// One servo process at a simulated site, from its start to its end: what
+// app/force/servo/servo_program.h does with the real driver, loop and messages, in the site's one
+// thread and time. Threads: one.
 #pragma once
 
-#include "app/servo/messages.h"
-#include "app/servo/watched_board.h"
+#include "app/force/servo/messages.h"
+#include "app/force/servo/watched_board.h"
 #include "haptics/servo/servo_loop.h"
 #include "tests/machines/sim/board/emulated_link.h"
 #include "tests/machines/sim/kiosk/visitor_hand.h"

@@ -2,7 +2,7 @@
 // Threads: one.
 #pragma once
 
-#include "app/servo/running_servo.h"
+#include "app/force/servo/running_servo.h"
 #include "audio-cues/cues/cue_step.h"
 #include "tests/machines/sim/kiosk/checkers/force.h"
 #include "tests/machines/sim/kiosk/checkers/safety.h"

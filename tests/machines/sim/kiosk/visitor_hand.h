@@ -3,7 +3,7 @@
 #pragma once
 
 #include "haptics/device/hand.h"
-#include "tests/app/device/person.h"
+#include "tests/app/force/device/person.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // Tests every fault of a device and of a kiosk with the whole loop, on the virtual clock: time to
 // zero torque, what is told and said, no force before it is armed again, the way back.
-#include "app/session/told_lines.h"
+#include "app/visit/told_lines.h"
 #include "tests/haptics/tick.h"
 #include "tests/machines/sim/fault_lines.h"
 #include "tests/machines/sim/loop/loop_fault_run.h"

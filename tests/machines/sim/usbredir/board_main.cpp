@@ -4,7 +4,7 @@
 // (BoardOrders), and both live PACE seconds in a second; without that, an emulated machine that
 // runs slower than it believes sees the hand leap. Ends when QEMU has gone; prints the torque that
 // the board was left with.
-#include "tests/app/device/person.h"
+#include "tests/app/force/device/person.h"
 #include "tests/machines/sim/board/board_emulator.h"
 #include "tests/machines/sim/board/board_rig.h"
 #include "tests/machines/sim/usbredir/redirected_device.h"

@@ -14,7 +14,7 @@ SEED = 11
 LONGEST_READY_S = 5.0
 LONG = 50  # kills; fewer judge no time, because the load of a CI machine decides nothing
 # Weights. A servo that dies three times in a minute starts later and later, by design
-# (app/servo/running_servo.h).
+# (app/force/servo/running_servo.h).
 KINDS = {'kiosk': 8, 'servo': 5, 'voice': 3, 'decode': 1, 'import': 1}
 MOST_SERVO_KILLS = 2  # in one life of a kiosk
 NAMES = {'servo': 'soak_servo', 'voice': 'touchline-speak', 'decode': 'touchline-decod', 'import': 'touchline-impor'}

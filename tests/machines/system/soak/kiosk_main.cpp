@@ -1,10 +1,10 @@
 // The kiosk as `touchline --window` runs it, with the board of soak_board.h instead of one on USB.
 #include "app/cli/command_line.h"
+#include "app/force/servo/servo_process.h"
+#include "app/isolation/process/compact_memory.h"
+#include "app/isolation/process/places.h"
 #include "app/main/kiosk_window.h"
-#include "app/process/compact_memory.h"
-#include "app/process/places.h"
-#include "app/servo/servo_process.h"
-#include "tests/app/servo/mapped_file.h"
+#include "tests/app/force/servo/mapped_file.h"
 #include "tests/machines/system/soak/soak_board.h"
 
 #include <memory>

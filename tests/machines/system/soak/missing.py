@@ -83,7 +83,7 @@ def full_disk(world):
 
 
 class SteppedClock:
-    """The wall clock of the programs that have the library before them (tests/app/servo/stepped_clock.h)."""
+    """The wall clock of the programs that have the library before them (tests/app/force/servo/stepped_clock.h)."""
 
     def __init__(self, world):
         path = '/dev/shm/clock'
@@ -91,7 +91,7 @@ class SteppedClock:
             file.write(bytes(16))
         with open(path, 'r+b') as file:
             self.memory = mmap.mmap(file.fileno(), 16)
-        self.settings = {'LD_PRELOAD': f'{world.root}/build/release/tests/app/servo/libstepped_clock.so',
+        self.settings = {'LD_PRELOAD': f'{world.root}/build/release/tests/app/force/servo/libstepped_clock.so',
                          'TOUCHLINE_STEPPED_CLOCK': path}
 
     def step(self, by_s):

@@ -2,9 +2,9 @@
 // area.
 //
 //   soak_servo SOCKET BOARD
-#include "app/servo/servo_program.h"
+#include "app/force/servo/servo_program.h"
 #include "haptics/device/simulated_pantograph.h"
-#include "tests/app/servo/mapped_file.h"
+#include "tests/app/force/servo/mapped_file.h"
 #include "tests/machines/system/soak/soak_board.h"
 
 #include <cmath>

@@ -3,7 +3,7 @@
 // it at these offsets.
 #pragma once
 
-#include "tests/app/servo/fake_board.h"
+#include "tests/app/force/servo/fake_board.h"
 
 #include <atomic>
 #include <cstddef>

@@ -55,12 +55,12 @@ class World:
         for place in (f'{tempfile.gettempdir()}/.X11-unix', '/media', '/dev/shm'):
             os.makedirs(place, exist_ok=True)
             subprocess.run(['mount', '-t', 'tmpfs', 'none', place], check=True)
-        shutil.copy(f'{root}/app/gallery/all-pictures.png', f'{folder}/camera/table.png')
+        shutil.copy(f'{root}/app/documents/gallery/all-pictures.png', f'{folder}/camera/table.png')
         self.board = Board('/dev/shm/board')
         self.environment = {
             'PATH': os.environ['PATH'], 'HOME': f'{folder}/person', 'TMPDIR': f'{folder}/temporary',
             'LP_NUM_THREADS': '1', 'SDL_AUDIODRIVER': 'dummy', 'LANG': 'C.UTF-8',
-            'TOUCHLINE_PROGRAMS': self.programs, 'TOUCHLINE_GALLERY': f'{root}/app/gallery/pictures',
+            'TOUCHLINE_PROGRAMS': self.programs, 'TOUCHLINE_GALLERY': f'{root}/app/documents/gallery/pictures',
             'TOUCHLINE_SETTINGS': f'{folder}/person/kiosk.toml', 'TOUCHLINE_RECORDINGS': f'{folder}/kept',
             'TOUCHLINE_CAMERA': f'{folder}/camera', 'TOUCHLINE_SOAK_BOARD': self.board.path,
             'DBUS_SYSTEM_BUS_ADDRESS': f'unix:path={folder}/bus'}
@@ -83,7 +83,7 @@ class World:
         self.environment['DISPLAY'] = ':' + number
 
     def start_bus(self):
-        """A bus with the udisks2 of tests/app/sticks on it."""
+        """A bus with the udisks2 of tests/app/documents/sticks on it."""
         nothing = {'stdout': subprocess.DEVNULL, 'stderr': subprocess.DEVNULL}
         address = self.environment['DBUS_SYSTEM_BUS_ADDRESS']
         self.bus = subprocess.Popen(
@@ -91,7 +91,7 @@ class World:
         wait_for('the bus', lambda: os.path.exists(f'{self.folder}/bus'))
         self.service = subprocess.Popen(
             ['/usr/bin/python3', '-B', '-m', 'dbusmock', '--system', '--template',
-             f'{self.root}/tests/app/sticks/udisks_mock.py'],
+             f'{self.root}/tests/app/documents/sticks/udisks_mock.py'],
             env=dict(os.environ, DBUS_SYSTEM_BUS_ADDRESS=address), **nothing)
         import dbus.bus  # of python3-dbusmock
         connection = dbus.bus.BusConnection(address)
@@ -103,7 +103,7 @@ class World:
         """Pictures of several kinds, a document, and two that nobody can feel."""
         place = f'/media/{name}'
         os.makedirs(place)
-        gallery = f'{self.root}/app/gallery/pictures'
+        gallery = f'{self.root}/app/documents/gallery/pictures'
         for picture in sorted(os.listdir(gallery))[:4]:
             if picture.endswith('.svg'):
                 shutil.copy(f'{gallery}/{picture}', place)

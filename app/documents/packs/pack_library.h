@@ -1,0 +1,60 @@
+// The installed packs: in one folder, each unpacked in a folder named by its id.
+// Threads: one at a time for a library; the functions wait for workers.
+#pragma once
+
+#include "app/documents/gallery/gallery.h"
+#include "app/documents/packs/pack.h"
+#include "config/types/choices.h"
+#include "config/types/tactile_map.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace touchline {
+
+/// ask: refuses a pack that is older than the installed one, with the finding `older`.
+enum class OlderPack : std::uint8_t { ask, take };
+
+/// Checks the pack and installs it: writes a folder beside, flushes it, then renames it, so that
+/// the library holds the old version or the new one and never a half. Makes `library` if it is
+/// missing. Returns the pack's folder.
+[[nodiscard]] PackResult<std::string> import_pack(const Pack& pack, const std::string& library,
+                                                  OlderPack older = OlderPack::ask);
+
+/// One picture of an installed pack. `entry` is as in the gallery, but read it with
+/// read_pack_map().
+struct LibraryPicture {
+    std::string pack;        // its id
+    std::string pack_title;  // in the language
+    GalleryEntry entry;
+};
+
+/// All pictures of all packs, packs by id, pictures in the order of pack.toml. Leaves out what
+/// cannot be used and reports it in `problems`. A missing library is empty.
+[[nodiscard]] std::vector<LibraryPicture> list_library(const std::string& library,
+                                                       const LanguageTag& language,
+                                                       std::vector<PackFinding>& problems);
+
+/// The map of a LibraryPicture, read by a worker: this process parses its bytes only as
+/// map_bytes.h.
+[[nodiscard]] PackResult<TactileMap> read_pack_map(const std::string& path,
+                                                   const LanguageTag& language);
+
+/// A recorded text of a picture: the arguments of RecordedPrompts::add().
+struct RecordedText {
+    std::string language;
+    std::string text;
+    std::vector<float> samples;  // mono at 48 000 Hz, full scale 1
+};
+
+/// All recordings of one picture in one language.
+[[nodiscard]] std::vector<RecordedText> recorded_texts(const LibraryPicture& picture,
+                                                       const LanguageTag& language,
+                                                       std::vector<PackFinding>& problems);
+
+/// The folder of this user's packs: TOUCHLINE_LIBRARY of the environment, else touchline/packs in
+/// XDG_DATA_HOME or in the home's .local/share.
+[[nodiscard]] std::string library_folder();
+
+}  // namespace touchline

@@ -1,0 +1,82 @@
+#include "app/visit/screen_model.h"
+
+#include <algorithm>
+#include <string>
+
+namespace touchline {
+namespace {
+
+std::string words_of(ItemRole role, const Language& language) {
+    switch (role) {
+        case ItemRole::setting:
+        case ItemRole::toggle:
+            return language.text("screen", "setting");
+        case ItemRole::text:
+        case ItemRole::choice:
+            break;
+    }
+    return {};
+}
+
+void add(std::string& sentence, const std::string& part) {
+    if (part.empty()) return;
+    if (!sentence.empty()) sentence += ", ";
+    sentence += part;
+}
+
+}  // namespace
+
+void set_focus(SpokenScreen& screen, std::size_t wanted) {
+    screen.focus.reset();
+    if (!screen.items.empty()) screen.focus = std::min(wanted, screen.items.size() - 1);
+}
+
+std::optional<std::size_t> place_of(const std::vector<ScreenItem>& items, int id) {
+    const auto found = std::ranges::find(items, id, &ScreenItem::id);
+    if (found == items.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - items.begin());
+}
+
+ListPage page_of(std::size_t rows, std::size_t wanted) {
+    if (rows == 0) return {};
+    const std::size_t first = std::min(wanted, (rows - 1) / list_page * list_page);
+    return {first, std::min(first + list_page, rows), static_cast<int>(first / list_page + 1),
+            static_cast<int>((rows + list_page - 1) / list_page)};
+}
+
+void add_sentence(std::string& text, const std::string& sentence) {
+    if (sentence.empty()) return;
+    if (!text.empty()) {
+        const char end = text.back();
+        text += end == '.' || end == '?' || end == '!' ? " " : ". ";
+    }
+    text += sentence;
+}
+
+std::string spoken_item(const SpokenScreen& screen, std::size_t item, const Language& language) {
+    const ScreenItem& shown = screen.items.at(item);
+    std::string sentence = shown.name;
+    add(sentence, shown.value);
+    add(sentence, words_of(shown.role, language));
+    add(sentence, language.text("screen", "{0} of {1}",
+                                {std::to_string(item + 1), std::to_string(screen.items.size())}));
+    return sentence;
+}
+
+std::string spoken_screen(const SpokenScreen& screen, const Language& language) {
+    std::string text = screen.title;
+    add_sentence(text, screen.text);
+    if (screen.focus) add_sentence(text, spoken_item(screen, *screen.focus, language));
+    return text;
+}
+
+std::optional<FocusMove> move_focus(const SpokenScreen& screen, bool is_down) {
+    const std::size_t count = screen.items.size();
+    if (count == 0) return std::nullopt;
+    if (!screen.focus) return FocusMove{is_down ? 0 : count - 1, false};
+    const std::size_t at = *screen.focus;
+    if (is_down) return FocusMove{(at + 1) % count, at + 1 == count};
+    return FocusMove{(at + count - 1) % count, at == 0};
+}
+
+}  // namespace touchline

@@ -1,0 +1,301 @@
+// The visit, from the attract screen to goodbye, as a pure state machine. Events come in, and
+// orders (visit_orders.h) go out.
+// Threads: values and pure functions.
+#pragma once
+
+#include "app/documents/sticks/first_letters.h"
+#include "app/documents/sticks/listing.h"
+#include "app/documents/sticks/spoken_name.h"
+#include "app/visit/screen_model.h"
+#include "app/visit/visit_events.h"
+#include "app/visit/visit_orders.h"
+#include "config/settings/settings.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace touchline {
+
+enum class VisitScreen : std::uint8_t {
+    attract,   // nobody is here
+    language,  // each named in itself
+    choose,    // what to feel: practice, gallery, stick, camera; settings; finish
+    practice,
+    gallery,
+    stick,
+    letters,  // to search the stick's list
+    camera,
+    opening,  // work is under way and can be cancelled
+    picture,
+    parts,
+    explore,
+    zoom,
+    pages,
+    settings,
+    values,   // of one setting; Standing::about is its item
+    confirm,  // Standing::about is the item that asked
+    goodbye,
+    closed,
+    // over any of these
+    help,      // each key says its name and use
+    question,  // is anybody there?
+    trouble,   // what, why, what to do
+};
+
+inline constexpr std::size_t visit_screen_count = 22;
+
+/// What an item of a screen stands for (ScreenItem::id). Rows of a list: entry + their number.
+enum class VisitItem : int {
+    back,
+    back_to_picture,
+    practise,
+    gallery,
+    stick,
+    camera,
+    settings,
+    call_staff,
+    finish,
+    next_ten,
+    ten_before,
+    letters,
+    all_files,
+    take_picture,
+    cancel,
+    lead_round,
+    parts,
+    explore,
+    bring_back,
+    tell_again,
+    detail,
+    zoom,
+    thing_here,
+    mode,
+    stiffness,
+    held_shape,
+    turn_left,
+    turn_right,
+    turn_back,
+    pages,
+    another_picture,
+    other_shape,
+    where_am_i,
+    whole_picture,
+    twice_here,
+    four_times_here,
+    next_view,
+    view_before,
+    next_page,
+    page_before,
+    language,
+    volume,
+    rate,
+    sounds,
+    mono,
+    speech,
+    text_size,
+    palette,
+    screen,
+    start_over,
+    reset,
+    no,
+    yes,
+    go_on,
+    entry = 1000,
+};
+
+/// An open screen, and its state while another screen covers it.
+struct Standing {
+    VisitScreen screen = VisitScreen::attract;
+    std::size_t focus = 0;
+    int about = 0;  // first entry of a list's page, item of a setting, what is confirmed
+
+    friend bool operator==(const Standing&, const Standing&) = default;
+};
+
+/// A row of the gallery in one language.
+struct GalleryTitle {
+    std::string title;
+    std::string description;
+    std::optional<int> difficulty;  // 1 (easy) ... 5
+};
+
+/// The site's rules beside Settings. They may change between visits.
+struct VisitRules {
+    double quiet_s = 90.0;   // 30 ... 1800; then the kiosk asks the question
+    double answer_s = 30.0;  // 30 or more; then the visit ends
+    /// What every visit begins with. The volume is a step of the current output.
+    SoundWanted sound = {.language = 0, .volume = 3};
+    LookWanted look;
+    std::size_t volume_steps = 7;  // of the current output, >= 1
+    bool has_camera = true;        // whether the site has a camera at all
+    bool has_stick_port = true;
+    bool offers_staff = true;
+    std::string notice;  // while closed or under maintenance, in the site's language; may be empty
+};
+
+/// Constant during a step; everything may change between steps. `languages` is not empty. `gallery`
+/// has one list for each language, all of the same length.
+struct VisitWorld {
+    const std::vector<Language>& languages;
+    const Settings& settings;
+    const std::vector<std::vector<GalleryTitle>>& gallery;
+    const VisitRules& rules;
+};
+
+/// True if the kiosk has six or more keys. Otherwise one or two switches move through the items and
+/// select them.
+[[nodiscard]] inline bool has_keys(const VisitWorld& world) {
+    return world.settings.two_switches == SwitchUse::none;
+}
+
+/// The picture that is felt.
+struct KnownPicture {
+    LoadPicture order;  // the order that brought it
+    PictureFacts facts;
+};
+
+/// Why a loading job is under way; decides what is said when it ends. unasked: nothing is said,
+/// because the visitor did not order it; it is the same picture in another language or in the
+/// operator's detail. main_thing: the main thing of a photograph that was not touched yet.
+/// thing_here: the thing under the hand.
+enum class LoadReason : std::uint8_t {
+    other_picture,
+    other_view,
+    detail,
+    zoom,
+    main_thing,
+    thing_here,
+    unasked
+};
+
+struct Loading {
+    LoadPicture order;
+    LoadReason reason = LoadReason::other_picture;
+    std::string name;  // what is being opened, for the waiting visitor; may be empty
+};
+
+/// Work that the visitor waits for.
+struct Waiting {
+    double since_s = 0.0;
+    double last_cue_s = 0.0;
+    double last_said_s = 0.0;
+};
+
+/// What was said last, for captions and for repeating it. Never written to disk or to a log.
+struct Caption {
+    std::string text;
+    std::string language;             // its code
+    std::optional<ScreenEvent> sign;  // the visual sign of the last sound
+};
+
+/// A guide that leads the hand: first announced, then under way.
+struct Leading {
+    Guide guide;
+    double begin_s = 0.0;
+    bool has_begun = false;
+};
+
+/// The state of the site and its hardware. It outlives a visit.
+struct Site {
+    double now_s = 0.0;
+    SiteOpening opening = SiteOpening::open;
+    bool has_camera = false;
+    bool has_headphones = false;
+    std::array<std::optional<std::string>, trouble_count> troubles;  // that last; as told, or empty
+    bool is_staff_called = false;
+    std::uint64_t request = 0;  // of the last LoadPicture
+};
+
+/// What a stick offers. The steps share it, for it may hold thousands of names.
+struct StickList {
+    std::vector<std::string> names;  // raw bytes: only spoken_name() may say them
+    StickRest rest;
+    std::vector<NameForm> forms;  // one for each name, so that no two sound alike
+};
+
+/// A hint that this visitor has heard.
+struct HintSaid {
+    std::string text;
+    int times = 0;
+    double at_s = 0.0;  // the last time
+
+    void said(double now_s) {
+        ++times;
+        at_s = now_s;
+    }
+};
+
+/// The state of one visitor; every visit begins with a new one.
+struct Visitor {
+    std::vector<Standing> path{Standing{}};  // never empty; the last one is open
+    std::optional<Standing> over;            // help, question or trouble, on top of the path
+    std::string error;                       // what `trouble` says
+    std::optional<TroubleKind> trouble;      // what it is about; none: a picture or a file
+    SoundWanted sound;
+    LookWanted look;
+    Feel feel;
+    int detail = 3;  // for the next picture too
+    std::optional<KnownPicture> felt;
+    bool is_told_shortly = false;  // the rest follows when the search for its things ends
+    std::optional<Loading> loading;
+    std::optional<Waiting> waiting;
+    bool is_capturing = false;
+    bool has_stick = false;
+    bool has_stick_to_take = false;                           // the last screen says so
+    std::shared_ptr<const StickList> stick_list;              // none: not read yet
+    std::shared_ptr<const LetterGroup> found;                 // what the list shows; none: all
+    std::shared_ptr<const std::vector<LetterGroup>> letters;  // shown by the screen of that name
+    std::optional<Leading> leading;
+    HandleSeen handle;
+    double part_since_s = 0.0;  // since the hand is on this part, or on none
+    std::optional<std::size_t> part_said;
+    bool has_touched = false;        // whether the hand touched a line of this picture
+    double active_s = 0.0;           // last key or motion
+    double key_s = 0.0;              // last key
+    double entered_s = 0.0;          // when the open screen was entered
+    double question_s = 0.0;         // when it was asked
+    double attention_s = 0.0;        // when the handle last asked for attention
+    std::optional<double> pulled_s;  // when the headphones were pulled out
+    bool is_hint_due = false;
+    std::vector<HintSaid> hints;
+    int dead_keys = 0;  // in a row
+    int repeats = 0;    // presses of Repeat in a row
+    int helps = 0;      // presses of Help in a row, in help
+    Caption caption;
+};
+
+struct Visit {
+    Site site;
+    Visitor visitor;
+};
+
+struct VisitStep {
+    Visit visit;
+    VisitOrders orders;
+};
+
+/// The state before anybody is here. The orders are those that every visit begins with.
+[[nodiscard]] VisitStep start_visit(const VisitWorld& world);
+
+/// O(items of a screen). Every key is answered by speech or a cue in the same step.
+[[nodiscard]] VisitStep step(const Visit& visit, const VisitEvent& event, const VisitWorld& world);
+
+/// What is drawn and spoken now, in the visitor's language. On the language screen each item is in
+/// its own language.
+[[nodiscard]] SpokenScreen screen_of(const Visit& visit, const VisitWorld& world);
+
+/// The screen that has the keys: the one over the path, or else the last of the path.
+[[nodiscard]] VisitScreen open_screen(const Visit& visit);
+
+/// True while somebody is here: nothing of the visit may be lost, and time-outs run.
+[[nodiscard]] bool is_visit_on(const Visit& visit);
+
+[[nodiscard]] const Language& language_of(const Visit& visit, const VisitWorld& world);
+
+}  // namespace touchline

@@ -1,0 +1,219 @@
+#include "app/visit/visit_menu.h"
+
+#include "app/visit/page_place.h"
+
+#include <algorithm>
+#include <array>
+
+namespace touchline {
+namespace {
+
+constexpr const char* choice_hint = "Press Select to choose this, Up or Down to move.";
+constexpr const char* only_hint = "Press Select to choose this.";
+constexpr const char* change_hint = "Press Select to change it.";
+constexpr const char* switch_hint = "Press Select to choose this, or move on.";
+
+/// Two switches have no Up and Down.
+const char* hint_of_choice(const VisitWorld& world) {
+    return has_keys(world) ? choice_hint : switch_hint;
+}
+
+std::array<VisitMenu, 4> menus() {
+    return {main_menu(), picture_menu(), settings_menu(), stick_menu()};
+}
+
+std::string told_value(const VisitSheet& sheet, const VisitSetting& setting) {
+    const std::vector<std::string> names = setting.names(sheet.world, sheet.language);
+    const std::size_t chosen = setting.value.chosen(sheet.visitor());
+    if (!setting.is_counted) return names[std::min(chosen, names.size() - 1)];
+    return sheet.language.text("screen", "{0} of {1}",
+                               {std::to_string(chosen + 1), std::to_string(names.size())});
+}
+
+void add_item(VisitSheet& sheet, VisitItem item, const char* name) {
+    sheet.screen.items.push_back({static_cast<int>(item),
+                                  ItemRole::choice,
+                                  sheet.words(name),
+                                  {},
+                                  sheet.words(hint_of_choice(sheet.world))});
+}
+
+void add_item(VisitSheet& sheet, const VisitItemRow& row) {
+    if (const auto* const list = std::get_if<VisitList>(&row.does)) return list->write(sheet);
+    add_item(sheet, row.item, row.name);
+    ScreenItem& shown = sheet.screen.items.back();
+    if (row.value != nullptr) shown.value = row.value(sheet);
+    if (const auto* const setting = std::get_if<VisitSetting>(&row.does)) {
+        shown.role = ItemRole::setting;
+        shown.value = told_value(sheet, *setting);
+        shown.hint = sheet.words(change_hint);
+    }
+    if (const auto* const toggle = std::get_if<VisitSwitch>(&row.does)) {
+        shown.role = ItemRole::toggle;
+        const bool is_on = toggle->value.chosen(sheet.visitor()) == toggle->on;
+        shown.value = sheet.words(is_on ? "on" : "off");
+        shown.hint = sheet.words(change_hint);
+    }
+    if (row.hint != nullptr) shown.hint = sheet.words(row.hint);
+}
+
+void add_items(VisitSheet& sheet, VisitScreen screen) {
+    for (const VisitMenu& menu : menus())
+        for (const VisitItemRow& row : menu.items)
+            if (row.screen == screen && (row.is_shown == nullptr || row.is_shown(sheet)))
+                add_item(sheet, row);
+}
+
+/// Rewords the hint of a single item, because it must not send anybody to another item.
+void mind_the_only_item(VisitSheet& sheet) {
+    if (sheet.screen.items.size() != 1) return;
+    std::string& hint = sheet.screen.items.front().hint;
+    if (hint != sheet.words(hint_of_choice(sheet.world))) return;
+    const bool is_back = sheet.screen.items.front().id == static_cast<int>(VisitItem::back);
+    hint = sheet.words(is_back ? "Press Select to go back." : only_hint);
+}
+
+void turn_page(VisitWork& work, int change) {
+    Standing& open = open_standing(work);
+    open.about = std::max(open.about + change * static_cast<int>(list_page), 0);
+    open.focus = 0;
+    say_screen(work);
+}
+
+/// The row of an item that is shown now. Two rows of one item do the same.
+const VisitItemRow* shown_row(VisitScreen screen, VisitItem item) {
+    for (const VisitMenu& menu : menus())
+        for (const VisitItemRow& row : menu.items)
+            if (row.screen == screen && row.item == item) return &row;
+    return nullptr;
+}
+
+/// Does what a chosen row says, one overload per kind.
+struct Choose {
+    VisitWork& work;
+    VisitItem item;
+    const ScreenItem& shown;
+
+    void operator()(VisitScreen screen) const {
+        show(work, screen, screen == VisitScreen::confirm ? shown.id : 0);
+    }
+
+    void operator()(VisitAct act) const { act(work); }
+
+    void operator()(const VisitSetting& setting) const {
+        show(work, VisitScreen::values, shown.id, setting.value.chosen(work.visitor));
+    }
+
+    void operator()(const VisitSwitch& toggle) const {
+        toggle.value.choose(work, 1 - toggle.value.chosen(work.visitor));
+        toggle.tell == nullptr ? say_item(work) : toggle.tell(work);
+    }
+
+    void operator()(const VisitList& list) const {
+        list.take(work, static_cast<std::size_t>(shown.id - static_cast<int>(item)), shown.name);
+    }
+};
+
+}  // namespace
+
+std::string VisitSheet::words(const char* english) const {
+    return language.text("visit", english);
+}
+
+void VisitSheet::title(const char* english) {
+    screen.title = words(english);
+}
+
+void VisitSheet::sentence(const char* english) {
+    told(words(english));
+}
+
+void VisitSheet::told(const std::string& text) {
+    add_sentence(screen.text, text);
+}
+
+void VisitSheet::row(std::size_t number, const std::string& name, const std::string& value) {
+    screen.items.push_back({static_cast<int>(VisitItem::entry) + static_cast<int>(number),
+                            ItemRole::choice, name, value, words(hint_of_choice(world))});
+}
+
+void VisitSheet::list(std::size_t count, const std::function<ListRow(std::size_t)>& row_at,
+                      const char* hint) {
+    const auto wanted = static_cast<std::size_t>(std::max(visitor().path.back().about, 0));
+    const ListPage page = page_of(count, wanted);
+    told(told_page(page.number, page.count, language));
+    for (std::size_t i = page.first; i < page.end; ++i) {
+        const ListRow shown = row_at(i);
+        row(shown.number, shown.name, shown.value);
+        screen.items.back().hint = words(hint);
+    }
+    if (page.end < count) add_item(*this, VisitItem::next_ten, "The next ten");
+    if (page.first > 0) add_item(*this, VisitItem::ten_before, "The ten before");
+}
+
+void VisitSheet::list(const std::vector<ListRow>& rows, const char* hint) {
+    list(
+        rows.size(), [&rows](std::size_t place) { return rows[place]; }, hint);
+}
+
+const VisitScreenRow& row_of(VisitScreen screen) {
+    for (const VisitMenu& menu : menus()) {
+        const auto found = std::ranges::find(menu.screens, screen, &VisitScreenRow::screen);
+        if (found != menu.screens.end()) return *found;
+    }
+    return main_menu().screens.front();  // never: each screen has its row
+}
+
+const VisitItemRow& setting_row(VisitItem setting) {
+    const auto is_it = [setting](const VisitItemRow& row) {
+        return row.item == setting && std::holds_alternative<VisitSetting>(row.does);
+    };
+    for (const VisitMenu& menu : menus()) {
+        const auto found = std::ranges::find_if(menu.items, is_it);
+        if (found != menu.items.end()) return *found;
+    }
+    return settings_menu().items.front();  // not for an item that is no setting
+}
+
+SpokenScreen screen_of(const Visit& visit, const VisitWorld& world) {
+    const Visitor& visitor = visit.visitor;
+    const Standing& open = open_standing(visitor);
+    const VisitScreenRow& row = row_of(open.screen);
+    VisitSheet sheet{visit, world, language_of(visit, world), {}};
+    if (row.title != nullptr) sheet.title(row.title);
+    if (row.text != nullptr) sheet.sentence(row.text);
+    if (row.write != nullptr) row.write(sheet);
+    add_items(sheet, open.screen);
+    if (row.back_item != nullptr) add_item(sheet, VisitItem::back, row.back_item);
+    set_focus(sheet.screen, open.focus);
+    mind_the_only_item(sheet);
+    // A picture stays in view beneath what lies over it.
+    const ScreenView beneath = row_of(visitor.path.back().screen).view;
+    sheet.screen.view = beneath == ScreenView::picture ? beneath : row.view;
+    return sheet.screen;
+}
+
+void show(VisitWork& work, VisitScreen screen, int about, std::size_t focus) {
+    enter(work, screen, about, focus);
+    say_screen(work);
+}
+
+void select(VisitWork& work) {
+    const SpokenScreen screen = screen_of(work);
+    if (!screen.focus) {
+        refuse(work);
+        return say_screen(work);
+    }
+    const ScreenItem shown = screen.items[*screen.focus];
+    const auto item =
+        static_cast<VisitItem>(std::min(shown.id, static_cast<int>(VisitItem::entry)));
+    cue(work, ScreenEvent::key_taken);
+    shake(work, HandlePattern::chosen);
+    if (item == VisitItem::back) return step_back(work);
+    if (item == VisitItem::next_ten) return turn_page(work, +1);
+    if (item == VisitItem::ten_before) return turn_page(work, -1);
+    if (const auto* const row = shown_row(open_screen(work), item))
+        std::visit(Choose{work, item, shown}, row->does);
+}
+
+}  // namespace touchline

@@ -1,0 +1,272 @@
+// How the picture is opened, opened again in another way, and told.
+#include "app/visit/page_place.h"
+#include "app/visit/visit_work.h"
+#include "audio-cues/words/words_of.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace touchline {
+namespace {
+
+/// Opens it in the current language and detail.
+void load(VisitWork& work, Loading loading) {
+    loading.order.request = ++work.site.request;
+    loading.order.language = work.visitor.sound.language;
+    loading.order.detail = work.visitor.detail;
+    order(work, loading.order);
+    work.visitor.loading = std::move(loading);
+}
+
+/// Loading failed. A detail that could not be reached is given up; one that was set while something
+/// else was opened applies to what is felt.
+void stay_with_felt(VisitWork& work, LoadReason wanted) {
+    Visitor& visitor = work.visitor;
+    if (!visitor.felt) return;
+    const LoadPicture& felt = visitor.felt->order;
+    if (wanted == LoadReason::detail || wanted == LoadReason::unasked) {
+        visitor.detail = felt.detail;
+    } else if (felt.detail != visitor.detail || felt.language != visitor.sound.language) {
+        open_unasked(work);
+    }
+}
+
+void leave_opening(VisitWork& work) {
+    if (work.visitor.path.back().screen == VisitScreen::opening) leave(work);
+}
+
+void arrive_at_picture(VisitWork& work) {
+    Visitor& visitor = work.visitor;
+    const bool is_practice = visitor.felt->order.source == PictureSource::practice;
+    go_to(work, is_practice ? VisitScreen::practice : VisitScreen::picture);
+    if (visitor.over) return say(work, told_picture(work), SpeechPriority::hint);
+    const PagePlace& place = visitor.felt->facts.place;
+    if (place.things != ThingSearch::under_way) return say_screen(work);
+    visitor.is_told_shortly = true;
+    std::string text = screen_of(work).title;
+    add_sentence(text, words_of(place, language_of(work)));
+    visitor.is_hint_due = false;  // nobody has heard of its item yet
+    say_next(work, text);
+}
+
+bool is_of_what_was_felt(LoadReason reason) {
+    return reason == LoadReason::detail || reason == LoadReason::zoom ||
+           reason == LoadReason::unasked;
+}
+
+std::string told_change(const VisitWork& work, LoadReason reason) {
+    const KnownPicture& felt = *work.visitor.felt;
+    const Language& language = language_of(work);
+    switch (reason) {
+        case LoadReason::detail:
+            return language.counted("count", "{0} outline", "{0} outlines",
+                                    felt.facts.outline_count);
+        case LoadReason::zoom:
+            if (felt.order.zoom.factor <= 1.0) return words(work, "The whole picture.");
+            return words(work, "Now {0} times as large. You feel the {1} part.",
+                         {language.number(felt.order.zoom.factor, 0),
+                          words_of(place_of(felt.order.zoom.centre, CueArea{}), language)});
+        case LoadReason::other_view: {
+            // What changed comes first.
+            std::string text = words_of(felt.facts.place, language);
+            add_sentence(text, words_of(felt.facts.names, language));
+            add_sentence(text, language.counted("count", "{0} outline", "{0} outlines",
+                                                felt.facts.outline_count));
+            add_sentence(text, felt.facts.note);
+            return text;
+        }
+        case LoadReason::main_thing:
+        case LoadReason::thing_here:
+        case LoadReason::other_picture:
+        case LoadReason::unasked:
+            break;
+    }
+    return told_picture(work);
+}
+
+/// Adds the item without its value, which was told already.
+void say_with_name(VisitWork& work, VisitItem item, std::string text) {
+    focus_on(work, item);  // other items may have come before it
+    SpokenScreen screen = screen_of(work);
+    screen.items[*screen.focus].value.clear();
+    add_sentence(text, spoken_item(screen, *screen.focus, language_of(work)));
+    say(work, text);
+}
+
+/// While help is open, the visitor hears it once the keys are silent. Texts that tell the whole
+/// picture have its title already.
+void tell_change(VisitWork& work, LoadReason reason) {
+    std::string text = told_change(work, reason);
+    if (work.visitor.over) return say(work, text, SpeechPriority::hint);
+    switch (reason) {
+        case LoadReason::main_thing:
+            return say_item_next(work, text);
+        case LoadReason::zoom:
+            return say_with_name(work, VisitItem::zoom, text);
+        case LoadReason::other_view:
+            return say_with_name(work, VisitItem::pages, text);
+        case LoadReason::detail: {
+            focus_on(work, VisitItem::detail);
+            std::string all = screen_of(work).title;
+            add_sentence(all, text);
+            return say_item(work, all);
+        }
+        default:
+            return say_item(work, text);
+    }
+}
+
+}  // namespace
+
+std::string told_picture(const VisitWork& work) {
+    if (!work.visitor.felt) return {};
+    const SpokenScreen screen = screen_of(work);
+    std::string text = work.visitor.felt->facts.title;
+    add_sentence(text, screen.text);
+    return text;
+}
+
+void open_picture(VisitWork& work, PictureSource source, std::size_t index,
+                  const std::string& name) {
+    LoadPicture wanted;
+    wanted.source = source;
+    wanted.index = index;
+    if (source == PictureSource::stick) wanted.form = work.visitor.stick_list->forms[index];
+    load(work, {wanted, LoadReason::other_picture, name});
+    leave_opening(work);
+    enter(work, VisitScreen::opening);
+}
+
+void open_again(VisitWork& work, LoadPicture wanted, LoadReason reason) {
+    if (!work.visitor.felt) return;
+    load(work, {wanted, reason, work.visitor.felt->facts.title});
+    while (work.visitor.path.back().screen != VisitScreen::picture) leave(work);
+    enter(work, VisitScreen::opening);
+}
+
+void open_unasked(VisitWork& work) {
+    Visitor& visitor = work.visitor;
+    if (visitor.loading) {
+        load(work, *visitor.loading);
+    } else if (visitor.felt) {
+        load(work, {visitor.felt->order, LoadReason::unasked, visitor.felt->facts.title});
+    }
+}
+
+void cancel_loading(VisitWork& work) {
+    Visitor& visitor = work.visitor;
+    visitor.is_capturing = false;
+    if (visitor.loading && visitor.loading->reason != LoadReason::unasked) {
+        const Loading cancelled = *visitor.loading;
+        visitor.loading.reset();
+        order(work, CancelLoad{cancelled.order.request});
+        stay_with_felt(work, cancelled.reason);
+    }
+    leave_opening(work);
+    say_return(work, words(work, "Cancelled."));
+}
+
+void take(VisitWork& work, const PictureReady& ready) {
+    Visitor& visitor = work.visitor;
+    if (visitor.loading && visitor.loading->order.request == ready.request) {
+        const Loading done = *visitor.loading;
+        visitor.loading.reset();
+        visitor.felt = KnownPicture{done.order, ready.facts};
+        if (done.reason != LoadReason::unasked) visitor.is_told_shortly = false;
+        if (done.reason == LoadReason::thing_here) {
+            visitor.felt->order.view = ready.facts.place.view;
+            visitor.felt->order.thing_at.reset();
+        }
+        visitor.handle.part.reset();
+        visitor.part_said.reset();
+        visitor.has_touched = visitor.has_touched && is_of_what_was_felt(done.reason);
+        if (done.reason == LoadReason::unasked) return;
+        cue(work, ScreenEvent::picture_ready);
+        leave_opening(work);
+        if (done.reason == LoadReason::other_picture) return arrive_at_picture(work);
+        return tell_change(work, done.reason);
+    }
+    if (!visitor.felt || visitor.felt->order.request != ready.request) return;
+    const std::size_t known = visitor.felt->facts.parts.size();
+    visitor.felt->facts = ready.facts;
+    if (ready.facts.parts.size() <= known) return;
+    cue(work, ScreenEvent::news);
+    say(work,
+        language_of(work).counted("visit", "{0} name was found in the picture.",
+                                  "{0} names were found in the picture.",
+                                  static_cast<int>(ready.facts.parts.size() - known)),
+        SpeechPriority::hint);
+}
+
+/// Says what the things of the photograph probably are, and then the news; says nothing without
+/// either. Tells a photograph in full if it was told shortly before.
+void tell_names(VisitWork& work, const std::string& news = {}) {
+    Visitor& visitor = work.visitor;
+    const KnownPicture& felt = *visitor.felt;
+    const bool is_open = !visitor.over && visitor.path.back().screen == VisitScreen::picture;
+    const bool is_rest = visitor.is_told_shortly && is_open;
+    std::string text = is_rest ? told_picture(work) : words_of(felt.facts.names, language_of(work));
+    // The text of the whole picture says what was not found.
+    const bool is_told = is_rest && felt.facts.place.things != ThingSearch::found;
+    if (!news.empty() && !is_told) add_sentence(text, words(work, news));
+    if (!is_rest) return text.empty() ? void() : say(work, text, SpeechPriority::hint);
+    visitor.is_told_shortly = false;
+    say_item_next(work, text);
+}
+
+bool keep_whole(VisitWork& work) {
+    auto& loading = work.visitor.loading;
+    if (!loading || loading->reason != LoadReason::main_thing) return false;
+    order(work, CancelLoad{loading->order.request});
+    loading.reset();
+    return true;
+}
+
+void tell_things(VisitWork& work) {
+    cue(work, ScreenEvent::news);
+    tell_names(work, "The main thing was found. You will find it under: How much of the photo.");
+}
+
+/// If the hand has found a line, the picture stays: the visitor is told, and can choose the main
+/// thing.
+void take(VisitWork& work, const ThingsLookedFor& looked) {
+    Visitor& visitor = work.visitor;
+    if (!visitor.felt || visitor.felt->order.request != looked.request) return;
+    visitor.felt->facts.place = looked.place;
+    visitor.felt->facts.names = looked.names;
+    visitor.felt->order.page = looked.place.page;
+    visitor.felt->order.view = looked.place.view;
+    if (looked.place.things == ThingSearch::impossible)
+        return tell_names(work, "The main thing cannot be looked for now.");
+    if (looked.place.things == ThingSearch::absent)
+        return tell_names(work, "The main thing cannot be found here.");
+    if (looked.place.things != ThingSearch::found)
+        return tell_names(work, "No clear main thing was found.");
+    const bool is_waiting = !visitor.has_touched && !visitor.loading && !visitor.is_capturing &&
+                            visitor.felt->order.zoom.factor <= 1.0 &&
+                            visitor.path.back().screen == VisitScreen::picture;
+    if (!is_waiting) return tell_things(work);
+    LoadPicture wanted = visitor.felt->order;
+    wanted.view = 1;
+    wanted.zoom = {};
+    load(work, {wanted, LoadReason::main_thing, visitor.felt->facts.title});
+}
+
+void take(VisitWork& work, const PictureFailed& failed) {
+    Visitor& visitor = work.visitor;
+    if (!visitor.loading || visitor.loading->order.request != failed.request) return;
+    const LoadReason reason = visitor.loading->reason;
+    visitor.loading.reset();
+    stay_with_felt(work, reason);
+    if (reason == LoadReason::main_thing) return tell_names(work);
+    if (reason == LoadReason::unasked) return;
+    leave_opening(work);
+    if (reason == LoadReason::thing_here) return say_return(work, failed.sentence);
+    const std::string sentence =
+        failed.sentence.empty()
+            ? words(work, "This picture cannot be opened. It may be damaged. Choose another one.")
+            : failed.sentence;
+    show_trouble(work, sentence, std::nullopt);
+}
+
+}  // namespace touchline

@@ -1,0 +1,348 @@
+// The screens of every visit but those of a picture, of settings and of a stick: how it begins,
+// what can be chosen, how it ends, and what lies over another screen.
+#include "app/visit/visit_menu.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+namespace touchline {
+namespace {
+
+// Beginning.
+
+void write_language(VisitSheet& sheet) {
+    if (!has_keys(sheet.world)) {
+        const bool is_one = sheet.world.settings.two_switches == SwitchUse::by_itself;
+        sheet.sentence(is_one ? "It moves on by itself; your switch is Select."
+                              : "One switch moves on, the other is Select.");
+        sheet.sentence("After the last item come Repeat, Back and Help.");
+    } else {
+        sheet.sentence("Choose your language with Up, Down and Select.");
+        sheet.sentence("Press Help to try the keys.");
+        sheet.sentence("Press any key to interrupt.");
+    }
+}
+
+void write_languages(VisitSheet& sheet) {
+    for (std::size_t row = 0; row < sheet.world.languages.size(); ++row)
+        sheet.row(row, sheet.world.languages[row].name());
+}
+
+void begin_in_language(VisitWork& work, std::size_t language, const std::string& /*name*/) {
+    work.visitor.sound.language = language;
+    go_to(work, VisitScreen::choose);
+    say_screen(work);
+}
+
+// What to feel.
+
+/// Tells the troubles of force and sound, which concern everything; the others are told in their
+/// place.
+void write_lasting_troubles(VisitSheet& sheet) {
+    for (const TroubleKind kind : {TroubleKind::device, TroubleKind::sound}) {
+        const auto& trouble = sheet.visit.site.troubles[static_cast<std::size_t>(kind)];
+        if (trouble) sheet.told(told_trouble(kind, *trouble, sheet.language));
+    }
+}
+
+bool has_own_picture(const VisitSheet& sheet) {
+    const auto& felt = sheet.visitor().felt;
+    return felt && felt->order.source != PictureSource::practice;
+}
+
+void write_choose(VisitSheet& sheet) {
+    write_lasting_troubles(sheet);
+    if (has_own_picture(sheet)) {
+        sheet.sentence("Your picture stays until you choose another.");
+    } else {
+        sheet.sentence("Hold the handle lightly.");
+        sheet.sentence("Begin with a practice shape, or choose a picture.");
+    }
+}
+
+std::string stick_value(const VisitSheet& sheet) {
+    const Visitor& visitor = sheet.visitor();
+    if (!visitor.has_stick) return sheet.words("none");
+    if (!visitor.stick_list) return sheet.words("being read");
+    return sheet.language.counted("count", "{0} picture", "{0} pictures",
+                                  static_cast<int>(visitor.stick_list->names.size()));
+}
+
+std::string camera_value(const VisitSheet& sheet) {
+    return sheet.visit.site.has_camera ? std::string() : sheet.words("not ready");
+}
+
+std::string staff_value(const VisitSheet& sheet) {
+    return sheet.visit.site.is_staff_called ? sheet.words("called") : std::string();
+}
+
+void return_to_picture(VisitWork& work) {
+    go_to(work, VisitScreen::picture);
+    say_return(work);
+}
+
+void practise(VisitWork& work) {
+    open_picture(work, PictureSource::practice, 0, {});
+}
+
+void call_staff(VisitWork& work) {
+    work.site.is_staff_called = !work.site.is_staff_called;
+    order(work, CallStaff{work.site.is_staff_called});
+    const std::string told = words(
+        work, work.site.is_staff_called ? "The staff have been called. You can carry on meanwhile."
+                                        : "The staff are no longer called.");
+    const bool is_trouble = open_screen(work) == VisitScreen::trouble;
+    is_trouble ? close_trouble(work, told) : say(work, told);
+}
+
+// The gallery.
+
+const std::vector<GalleryTitle>& gallery_of(const VisitSheet& sheet) {
+    static const std::vector<GalleryTitle> none;
+    if (sheet.world.gallery.empty()) return none;
+    const std::size_t last = sheet.world.gallery.size() - 1;
+    return sheet.world.gallery[std::min(sheet.visitor().sound.language, last)];
+}
+
+/// The easiest first; ungraded pictures last.
+std::vector<std::size_t> gallery_order(const std::vector<GalleryTitle>& gallery) {
+    std::vector<std::size_t> numbers(gallery.size());
+    std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+    std::ranges::stable_sort(numbers, {}, [&gallery](std::size_t number) {
+        constexpr int ungraded = 6;
+        return gallery[number].difficulty.value_or(ungraded);
+    });
+    return numbers;
+}
+
+void write_gallery(VisitSheet& sheet) {
+    static constexpr std::array grades{"very easy", "easy", "medium", "hard", "very hard"};
+    const std::vector<GalleryTitle>& gallery = gallery_of(sheet);
+    std::vector<ListRow> rows;
+    for (const std::size_t number : gallery_order(gallery)) {
+        const std::optional<int> grade = gallery[number].difficulty;
+        rows.push_back(
+            {number, gallery[number].title,
+             grade ? sheet.words(grades[static_cast<std::size_t>(std::clamp(*grade, 1, 5) - 1)])
+                   : std::string()});
+    }
+    sheet.list(rows, "Press Select to open it.");
+}
+
+void take_of_gallery(VisitWork& work, std::size_t number, const std::string& name) {
+    open_picture(work, PictureSource::gallery, number, name);
+}
+
+// The camera, and work under way.
+
+void write_camera(VisitSheet& sheet) {
+    if (sheet.visit.site.has_camera) {
+        sheet.sentence("Lay your picture on the tray under the camera.");
+        sheet.sentence("No photo is taken until you press Select.");
+    } else {
+        sheet.sentence("The camera does not answer.");
+        sheet.sentence("Choose other pictures, or tell the staff.");
+    }
+}
+
+void capture(VisitWork& work) {
+    if (!work.site.has_camera) {
+        refuse(work);
+        return say(work, words(work, "The camera does not answer. Tell the staff."));
+    }
+    work.visitor.is_capturing = true;
+    order(work, Capture{});
+    enter(work, VisitScreen::opening);
+}
+
+void write_opening(VisitSheet& sheet) {
+    sheet.title(sheet.visitor().is_capturing ? "The photo is being taken."
+                                             : "The picture is being opened.");
+    if (sheet.visitor().loading) sheet.told(sheet.visitor().loading->name);
+}
+
+// Questions before something is lost.
+
+void reset_settings(VisitWork& work) {
+    const Visitor first = new_visitor(work.site, work.world);
+    const std::size_t language = work.visitor.sound.language;
+    work.visitor.sound = first.sound;
+    work.visitor.sound.language = language;  // or the visitor would understand nothing more
+    work.visitor.look = first.look;
+    work.visitor.feel = first.feel;
+    leave(work);
+    say_return(work, words(work, "All settings are back as they were at the start."));
+}
+
+struct VisitQuestion {
+    VisitItem asked;
+    const char* title;
+    const char* text;
+    VisitAct yes;
+};
+
+constexpr const char* lost_text = "Your picture and your settings will not be kept here.";
+
+constexpr auto questions = std::to_array<VisitQuestion>(
+    {{VisitItem::finish, "Finish?", lost_text,
+      [](VisitWork& work) { end_visit(work, VisitScreen::goodbye); }},
+     {VisitItem::start_over, "Start over?", lost_text,
+      [](VisitWork& work) {
+          end_visit(work, VisitScreen::attract);
+          begin_visit(work);
+      }},
+     {VisitItem::reset, "Reset the settings?",
+      "Sound, speech, letters and lines will be as at the start.", reset_settings}});
+
+const VisitQuestion& asked_question(const Visitor& visitor) {
+    const auto asked = static_cast<VisitItem>(visitor.path.back().about);
+    const auto* const found = std::ranges::find(questions, asked, &VisitQuestion::asked);
+    return found != questions.end() ? *found : questions.back();
+}
+
+void write_confirm(VisitSheet& sheet) {
+    const VisitQuestion& question = asked_question(sheet.visitor());
+    sheet.title(question.title);
+    sheet.sentence(question.text);
+}
+
+void ask_to_finish(VisitWork& work) {
+    show(work, VisitScreen::confirm, static_cast<int>(VisitItem::finish));
+}
+
+// The end.
+
+void write_goodbye(VisitSheet& sheet) {
+    if (sheet.visitor().has_stick_to_take) sheet.sentence("Take your USB stick with you.");
+    sheet.sentence("If you brought headphones, take them with you.");
+    sheet.sentence("Nothing about you is kept here.");
+}
+
+void write_closed(VisitSheet& sheet) {
+    const bool is_maintained = sheet.visit.site.opening == SiteOpening::maintenance;
+    sheet.title(is_maintained ? "This kiosk is being serviced." : "This kiosk is closed.");
+    if (sheet.world.rules.notice.empty()) {
+        sheet.sentence("Please come back later.");
+    } else {
+        sheet.told(sheet.world.rules.notice);
+    }
+}
+
+// What lies over another screen.
+
+void write_help(VisitSheet& sheet) {
+    if (!has_keys(sheet.world)) {
+        sheet.sentence("Move on to Repeat, Back or Help.");
+        sheet.sentence("Press Select to hear its use.");
+        sheet.sentence("Choose Help twice to go back.");
+    } else {
+        sheet.sentence("Each key says its name and its use.");
+        sheet.sentence("Press Help twice to go back.");
+    }
+}
+
+void write_question(VisitSheet& sheet) {
+    sheet.sentence(has_keys(sheet.world) ? "Press any key to go on." : "Press a switch to go on.");
+    sheet.told(sheet.language.text(
+        "visit", "Otherwise your visit ends in {0} seconds.",
+        {sheet.language.number(std::max(sheet.world.rules.answer_s, 30.0), 0)}));
+}
+
+void give_more_time(VisitWork& work) {
+    uncover(work, words(work, "You have more time."));
+}
+
+bool is_of_handle(const VisitSheet& sheet) {
+    return sheet.visitor().trouble == TroubleKind::device;
+}
+
+void write_trouble(VisitSheet& sheet) {
+    sheet.title(is_of_handle(sheet) ? "The handle" : "Something is wrong");
+    sheet.told(sheet.visitor().error);
+}
+
+/// Without the handle's force the visit goes on.
+bool can_call_staff(const VisitSheet& sheet) {
+    return is_of_handle(sheet) && sheet.world.rules.offers_staff &&
+           !sheet.visit.site.is_staff_called;
+}
+
+void go_on(VisitWork& work) {
+    close_trouble(work);
+}
+
+using S = VisitScreen;
+using I = VisitItem;
+
+constexpr auto main_screens = std::to_array<VisitScreenRow>({
+    {.screen = S::attract,
+     .title = "Pictures to feel",
+     .text = "Hold the handle, or press any key.",
+     .any_key = begin_visit},
+    {.screen = S::language,
+     .title = "Pictures to feel",
+     .write = write_language,
+     .back = [](VisitWork& work) { end_visit(work, S::goodbye); }},
+    {.screen = S::choose, .title = "What to feel", .write = write_choose, .back = ask_to_finish},
+    {.screen = S::gallery, .title = "Gallery", .back_item = "Back"},
+    {.screen = S::camera,
+     .title = "Camera",
+     .write = write_camera,
+     .back_item = "Back",
+     .view = ScreenView::camera},
+    {.screen = S::opening, .write = write_opening, .back = cancel_loading},
+    {.screen = S::confirm, .write = write_confirm},
+    {.screen = S::goodbye, .title = "Goodbye", .write = write_goodbye, .any_key = begin_visit},
+    {.screen = S::closed,
+     .write = write_closed,
+     .any_key = [](VisitWork& work) { say_screen(work); }},
+    {.screen = S::help, .title = "Try the keys", .write = write_help},
+    {.screen = S::question,
+     .title = "Are you still there?",
+     .write = write_question,
+     .any_key = give_more_time},
+    {.screen = S::trouble, .write = write_trouble, .back = go_on},
+});
+
+constexpr auto main_items = std::to_array<VisitItemRow>({
+    {S::language, I::entry, "", VisitList{write_languages, begin_in_language}},
+    {S::choose, I::back_to_picture, "Back to the picture", return_to_picture, nullptr,
+     has_own_picture, picture_title},
+    {S::choose, I::practise, "Practice shape", practise, "A circle shows how a line feels."},
+    {S::choose, I::gallery, "Gallery", S::gallery, "The easiest come first.",
+     [](const VisitSheet& sheet) { return !gallery_of(sheet).empty(); }},
+    {S::choose, I::stick, "Your USB stick", S::stick,
+     "Nothing is written to it. You can pull it out at any time.",
+     [](const VisitSheet& sheet) { return sheet.world.rules.has_stick_port; }, stick_value},
+    {S::choose, I::camera, "Camera", S::camera, "Takes a photo of what lies under it.",
+     [](const VisitSheet& sheet) { return sheet.world.rules.has_camera; }, camera_value},
+    {S::choose, I::settings, "Settings", S::settings, "Volume, speech, language and letters."},
+    {S::choose, I::call_staff, "Call staff", call_staff, nullptr,
+     [](const VisitSheet& sheet) { return sheet.world.rules.offers_staff; }, staff_value},
+    {S::choose, I::finish, "Finish", S::confirm, "Ends your visit."},
+    {S::gallery, I::entry, "", VisitList{write_gallery, take_of_gallery}},
+    {S::camera, I::take_picture, "Take the photo", capture},
+    {S::opening, I::cancel, "Cancel", cancel_loading},
+    {S::confirm, I::no, "No", step_back},
+    {S::confirm, I::yes, "Yes", [](VisitWork& work) { asked_question(work.visitor).yes(work); }},
+    {S::trouble, I::go_on, "Go on", go_on, "Press Select to go on.",
+     [](const VisitSheet& sheet) { return !is_of_handle(sheet); }},
+    {S::trouble, I::go_on, "Go on", go_on, "Or press Select to go on without force.",
+     [](const VisitSheet& sheet) { return is_of_handle(sheet) && !can_call_staff(sheet); }},
+    {S::trouble, I::go_on, "Go on", go_on,
+     "Press Down to call staff, or Select to go on without force.",
+     [](const VisitSheet& sheet) { return can_call_staff(sheet) && has_keys(sheet.world); }},
+    {S::trouble, I::go_on, "Go on", go_on,
+     "Move on to call staff. Or press Select to go on without force.",
+     [](const VisitSheet& sheet) { return can_call_staff(sheet) && !has_keys(sheet.world); }},
+    {S::trouble, I::call_staff, "Call staff", call_staff, nullptr, can_call_staff},
+});
+
+}  // namespace
+
+VisitMenu main_menu() {
+    return {main_screens, main_items};
+}
+
+}  // namespace touchline

@@ -1,0 +1,251 @@
+// What happens without a key: what time causes, the handle that leads, and the hand that moves it.
+#include "app/visit/visit_work.h"
+#include "audio-cues/speech/speech_input.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace touchline {
+namespace {
+
+constexpr double hint_after_s = 1.5;
+constexpr double hint_again_s = 30.0;  // the same hint: 10 s, and the time of other words
+constexpr int hint_times = 2;          // in a visit; after that it is known
+constexpr double progress_after_s = 0.3;
+constexpr double progress_said_after_s = 2.0;
+constexpr double progress_said_every_s = 4.5;
+constexpr double private_s = 10.0;  // headphones are out; then the kiosk asks
+constexpr double goodbye_s = 10.0;
+constexpr double practice_s = 60.0;
+constexpr double longest_lead_s = 300.0;  // longer leading no longer counts as presence
+constexpr double dwell_s = 0.4;
+constexpr double quick_m_per_s = 0.08;  // no part is named while the hand is faster
+constexpr double attention_every_s = 5.0;
+
+void ask(VisitWork& work) {
+    Visitor& visitor = work.visitor;
+    visitor.over = Standing{VisitScreen::question};
+    visitor.question_s = work.site.now_s;
+    visitor.attention_s = work.site.now_s;
+    visitor.pulled_s.reset();
+    cue(work, ScreenEvent::time_out);
+    shake(work, HandlePattern::time_out);
+    say_screen(work);
+}
+
+/// A visitor who waits for work, or is led, counts as present. A handle that waits for a hand tells
+/// nothing.
+bool is_busy(const VisitWork& work) {
+    const Visitor& visitor = work.visitor;
+    const double now_s = work.site.now_s;
+    if (visitor.waiting && now_s - visitor.waiting->since_s < longest_lead_s) return true;
+    return visitor.leading && visitor.handle.is_led &&
+           now_s - visitor.leading->begin_s < longest_lead_s;
+}
+
+void mind_presence(VisitWork& work) {
+    Visitor& visitor = work.visitor;
+    const double now_s = work.site.now_s;
+    if (open_screen(work) == VisitScreen::question) {
+        if (now_s - visitor.question_s >= std::max(work.world.rules.answer_s, 30.0)) {
+            return end_visit(work, VisitScreen::goodbye);
+        }
+        if (now_s - visitor.attention_s >= attention_every_s) {
+            visitor.attention_s = now_s;
+            cue(work, ScreenEvent::time_out);
+            shake(work, HandlePattern::time_out);
+        }
+        return;
+    }
+    if (visitor.pulled_s && now_s - *visitor.pulled_s >= private_s) return ask(work);
+    if (is_busy(work)) visitor.active_s = now_s;
+    const double quiet_s = std::clamp(work.world.rules.quiet_s, 30.0, 1800.0);
+    if (now_s - visitor.active_s >= quiet_s) ask(work);
+}
+
+void tell_progress(VisitWork& work) {
+    if (!work.visitor.waiting) return;
+    Waiting& waiting = *work.visitor.waiting;
+    const double now_s = work.site.now_s;
+    if (now_s - waiting.since_s < progress_after_s) return;
+    if (now_s - waiting.last_cue_s >= 1.0 || waiting.last_cue_s == waiting.since_s) {
+        waiting.last_cue_s = now_s;
+        cue(work, ScreenEvent::progress);
+    }
+    if (now_s - waiting.since_s < progress_said_after_s) return;
+    if (now_s - waiting.last_said_s < progress_said_every_s &&
+        waiting.last_said_s != waiting.since_s) {
+        return;
+    }
+    waiting.last_said_s = now_s;
+    const SpokenScreen screen = screen_of(work);
+    std::string text = screen.title;
+    add_sentence(text, screen.text);
+    say(work, text, SpeechPriority::hint);
+}
+
+/// Says each language in itself, except the one in which everything was said already.
+void say_languages(VisitWork& work) {
+    const std::string how = has_keys(work.world) ? "{0}: Down until you hear it, then Select."
+                                                 : "{0}: move on until you hear it, then select.";
+    for (const Language& language : work.world.languages) {
+        if (&language == &language_of(work)) continue;
+        say_in(work, language, language.text("visit", how, {language.name()}),
+               SpeechPriority::hint);
+    }
+}
+
+/// A hint that was said a moment ago stays due until it is worth hearing again.
+void give_hint(VisitWork& work) {
+    Visitor& visitor = work.visitor;
+    const double now_s = work.site.now_s;
+    const double still_since_s = std::max(visitor.key_s, visitor.entered_s);
+    if (!visitor.is_hint_due || now_s - still_since_s < hint_after_s) return;
+    if (open_screen(work) == VisitScreen::opening) return;  // nobody has heard of it yet
+    const bool is_of_languages = open_screen(work) == VisitScreen::language;
+    const SpokenScreen screen = screen_of(work);
+    std::string hint;
+    // The list is the same, whatever language has the focus.
+    if (is_of_languages)
+        hint = work.world.languages.front().name();
+    else if (screen.focus)
+        hint = screen.items[*screen.focus].hint;
+    visitor.is_hint_due = false;
+    if (hint.empty()) return;
+    HintSaid& known = hint_of(visitor, hint);
+    if (known.times >= (is_of_languages ? 1 : hint_times)) return;
+    visitor.is_hint_due = known.times > 0 && now_s - known.at_s < hint_again_s;
+    if (visitor.is_hint_due) return;
+    known.said(now_s);
+    if (is_of_languages)
+        say_languages(work);
+    else
+        say(work, hint, SpeechPriority::hint);
+}
+
+void begin_leading(VisitWork& work) {
+    auto& leading = work.visitor.leading;
+    if (!leading || leading->has_begun || work.site.now_s < leading->begin_s) return;
+    leading->has_begun = true;
+    order(work, leading->guide);
+}
+
+void mind_practice(VisitWork& work) {
+    Standing& open = work.visitor.path.back();
+    const bool is_told = open.about != 0;
+    if (open.screen != VisitScreen::practice || is_told || !work.visitor.has_touched) return;
+    if (work.site.now_s - work.visitor.entered_s < practice_s) return;
+    open.about = 1;
+    say(work, words(work, "This is enough for practice. Press Back for the pictures."),
+        SpeechPriority::hint);
+}
+
+/// Nobody can hear that the sound is gone, so the handle signals it, again and again.
+void ask_for_attention(VisitWork& work) {
+    Visitor& visitor = work.visitor;
+    const bool is_mute =
+        open_screen(work) == VisitScreen::trouble && visitor.trouble == TroubleKind::sound;
+    if (!is_mute || work.site.now_s - visitor.attention_s < attention_every_s) return;
+    visitor.attention_s = work.site.now_s;
+    shake(work, HandlePattern::error);
+}
+
+/// Long enough for the announcement's first words, at the rate that the visitor chose.
+double announcement_s(const Visitor& visitor) {
+    const std::size_t rate = std::min(visitor.sound.rate, speech_rates_per_minute.size() - 1);
+    return 2.0 * speech_rates_per_minute[default_speech_rate] / speech_rates_per_minute[rate];
+}
+
+bool names_parts(VisitScreen screen) {
+    return screen == VisitScreen::picture || screen == VisitScreen::explore ||
+           screen == VisitScreen::practice;
+}
+
+/// Says the name of the part that the hand rests on.
+void name_part(VisitWork& work) {
+    Visitor& visitor = work.visitor;
+    const HandleSeen& handle = visitor.handle;
+    const double rested_s = work.site.now_s - visitor.part_since_s;
+    if (!handle.part) {
+        if (rested_s >= 2.0) visitor.part_said.reset();
+        return;
+    }
+    if (!visitor.felt || *handle.part >= visitor.felt->facts.parts.size()) return;
+    if (visitor.over || !names_parts(visitor.path.back().screen)) return;
+    if (handle.part == visitor.part_said || rested_s < dwell_s) return;
+    if (handle.speed_m_per_s > quick_m_per_s) return;
+    visitor.part_said = handle.part;
+    cue(work, ScreenEvent::label_reached);
+    const bool is_asked_for = visitor.path.back().screen == VisitScreen::explore;
+    say(work, visitor.felt->facts.parts[*handle.part].name,
+        is_asked_for ? SpeechPriority::text : SpeechPriority::hint);
+}
+
+}  // namespace
+
+void take(VisitWork& work, const Tick& tick) {
+    Visitor& visitor = work.visitor;
+    // Events before the first tick count as happening now.
+    if (work.site.now_s == 0.0) visitor.active_s = visitor.key_s = visitor.entered_s = tick.now_s;
+    work.site.now_s = std::max(work.site.now_s, tick.now_s);
+    const VisitScreen screen = open_screen(work);
+    if (screen == VisitScreen::goodbye && work.site.now_s - work.visitor.entered_s >= goodbye_s) {
+        nobody_is_here(work);
+    }
+    if (!is_visit_on(visit_of(work))) return;
+    begin_leading(work);
+    tell_progress(work);
+    give_hint(work);
+    name_part(work);
+    mind_practice(work);
+    ask_for_attention(work);
+    mind_presence(work);
+}
+
+void lead(VisitWork& work, const Guide& guide, const std::string& announcement) {
+    if (work.site.troubles[static_cast<std::size_t>(TroubleKind::device)]) {
+        refuse(work);
+        return say(work, words(work, "The handle has no force now. Move it yourself."));
+    }
+    work.visitor.leading = Leading{guide, work.site.now_s + announcement_s(work.visitor), false};
+    shake(work, HandlePattern::chosen);
+    std::string text = announcement;
+    add_sentence(text, words(work, has_keys(work.world) ? "Press any key to stop it."
+                                                        : "Press a switch to stop it."));
+    say(work, text);
+}
+
+bool stop_leading(VisitWork& work) {
+    if (!work.visitor.leading) return false;
+    work.visitor.leading.reset();
+    order(work, Guide{});
+    return true;
+}
+
+void take(VisitWork& work, const HandleSeen& handle) {
+    Visitor& visitor = work.visitor;
+    if (handle.part != visitor.handle.part) visitor.part_since_s = work.site.now_s;
+    visitor.handle = handle;
+    visitor.has_touched = visitor.has_touched || handle.part.has_value();
+    if (visitor.has_touched && keep_whole(work)) tell_things(work);
+    const bool is_hand = handle.has_moved && !handle.is_led;
+    if (is_hand) visitor.active_s = work.site.now_s;
+    const VisitScreen screen = open_screen(work);
+    if (is_hand && screen == VisitScreen::attract) return begin_visit(work);
+    if (is_hand && screen == VisitScreen::question) {
+        visitor.pulled_s.reset();
+        return uncover(work, words(work, "You have more time."));
+    }
+    name_part(work);
+}
+
+void take(VisitWork& work, const KnobTurned& knob) {
+    Visitor& visitor = work.visitor;
+    if (visitor.feel.shape == HeldShape::none || !std::isfinite(knob.by_rad)) return;
+    visitor.active_s = work.site.now_s;
+    visitor.feel.turn_rad += knob.by_rad;
+}
+
+}  // namespace touchline

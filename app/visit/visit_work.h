@@ -1,0 +1,158 @@
+// A step while it is being made, shared by the parts of visit.h. Not for other files.
+// Threads: values; one step's.
+#pragma once
+
+#include "app/visit/visit.h"
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+namespace touchline {
+
+struct VisitWork {
+    Site site;
+    Visitor visitor;
+    const VisitWorld& world;
+    VisitOrders orders;
+};
+
+/// The visitor's language.
+[[nodiscard]] const Language& language_of(const VisitWork& work);
+
+[[nodiscard]] Visit visit_of(const VisitWork& work);
+[[nodiscard]] VisitScreen open_screen(const VisitWork& work);
+
+/// The screen that has the keys.
+[[nodiscard]] const Standing& open_standing(const Visitor& visitor);
+[[nodiscard]] Standing& open_standing(VisitWork& work);
+[[nodiscard]] SpokenScreen screen_of(const VisitWork& work);
+
+void order(VisitWork& work, VisitOrder order);
+void cue(VisitWork& work, ScreenEvent event);
+void shake(VisitWork& work, HandlePattern pattern);
+
+/// Answers a key that can do nothing here.
+void refuse(VisitWork& work);
+
+/// Says `text` and makes it the caption. Does nothing if it is empty.
+void say(VisitWork& work, const std::string& text, SpeechPriority priority = SpeechPriority::text);
+/// Says `text` once what is being said is over. Repeat says it again.
+void say_next(VisitWork& work, const std::string& text);
+void say_in(VisitWork& work, const Language& language, const std::string& text,
+            SpeechPriority priority = SpeechPriority::text);
+
+/// A text of the context "visit" in the visitor's language.
+[[nodiscard]] std::string words(const VisitWork& work, const std::string& english,
+                                std::initializer_list<std::string_view> values = {});
+
+// Navigation. What is said begins with `first` unless that is empty.
+
+/// The open screen: title, text, focused item.
+void say_screen(VisitWork& work, const std::string& first = {});
+
+/// Title and focused item: whoever comes back knows the rest.
+void say_return(VisitWork& work, const std::string& first = {});
+
+/// The item that has the focus, in its own language.
+void say_item(VisitWork& work, const std::string& first = {});
+
+/// Says, after what is being said, news that nobody asked for just now, and then the item that has
+/// the focus.
+void say_item_next(VisitWork& work, std::string text);
+
+void enter(VisitWork& work, VisitScreen screen, int about = 0, std::size_t focus = 0);
+void leave(VisitWork& work);
+
+/// Leaves and says so. After the practice, goes on to the pictures.
+void step_back(VisitWork& work);
+
+/// Opens `screen` directly, one level below choose.
+void go_to(VisitWork& work, VisitScreen screen);
+
+/// Adds a new one if the visitor has not heard it yet.
+[[nodiscard]] HintSaid& hint_of(Visitor& visitor, const std::string& text);
+
+/// Puts the focus on the item if the open screen has it.
+void focus_on(VisitWork& work, VisitItem item);
+
+/// Shows what went wrong, over everything else. `trouble`: what it is about.
+void show_trouble(VisitWork& work, const std::string& sentence, std::optional<TroubleKind> trouble);
+
+/// Goes back to what is under it.
+void close_trouble(VisitWork& work, const std::string& first = {});
+
+/// Ends help or the question: goes back to the trouble that it covered, or to the screen.
+void uncover(VisitWork& work, const std::string& first = {});
+
+/// `sentence`, or, if it is empty, a general one: what, why and what to do.
+[[nodiscard]] std::string told_trouble(TroubleKind kind, const std::string& sentence,
+                                       const Language& language);
+
+// Beginning and end (visit.cpp).
+
+/// Ends the screen of the visitor before: nothing of theirs stays, except a stick that is plugged
+/// in.
+void nobody_is_here(VisitWork& work);
+
+void begin_visit(VisitWork& work);
+
+/// Wipes everything of the visitor; then says `next`.
+void end_visit(VisitWork& work, VisitScreen next);
+
+/// The state that every visit begins with.
+[[nodiscard]] Visitor new_visitor(const Site& site, const VisitWorld& world);
+
+// The picture (visit_picture.cpp).
+
+void open_picture(VisitWork& work, PictureSource source, std::size_t index,
+                  const std::string& name);
+void open_again(VisitWork& work, LoadPicture wanted, LoadReason reason);
+
+/// Opens again what is being opened, or else what is felt, in the current language and detail.
+void open_unasked(VisitWork& work);
+void cancel_loading(VisitWork& work);
+void tell_things(VisitWork& work);
+
+/// Cancels the main thing that is being opened unasked: it would replace the picture under the
+/// hand, or under another screen. True if there was one.
+bool keep_whole(VisitWork& work);
+
+/// Title, how it is drawn, overview, parts.
+[[nodiscard]] std::string told_picture(const VisitWork& work);
+
+// The stick's list (visit_stick.cpp).
+
+void forget_letters(Visitor& visitor);
+
+/// Opens the page of the list that has this file, with the focus on it.
+void return_to_file(VisitWork& work, std::size_t row);
+
+// Leading (visit_time.cpp).
+
+/// Announces the guide, and begins after the time to hear it (HA-1).
+void lead(VisitWork& work, const Guide& guide, const std::string& announcement);
+
+/// Called at any key. True if anything was under way.
+bool stop_leading(VisitWork& work);
+
+// Keys and events.
+
+/// Does what the item that has the focus says (visit_menu.cpp).
+void select(VisitWork& work);
+
+// What happens, beside what visit.cpp takes itself.
+void take(VisitWork& work, const Tick& tick);       // visit_time.cpp
+void take(VisitWork& work, const KeyPressed& key);  // visit_keys.cpp
+void take(VisitWork& work, const SpeechKeyPressed& key);
+void take(VisitWork& work, const DeadKeyPressed& key);
+void take(VisitWork& work, const HandleSeen& handle);
+/// Turns a held shape. Says nothing: the hand feels a knob turn.
+void take(VisitWork& work, const KnobTurned& knob);
+void take(VisitWork& work, const PictureReady& ready);  // visit_picture.cpp
+void take(VisitWork& work, const ThingsLookedFor& looked);
+void take(VisitWork& work, const PictureFailed& failed);
+/// Applies the operator's changes to the feel over the visitor's choices: the later change holds.
+void take(VisitWork& work, const SettingsChanged& change);  // visit_settings.cpp
+
+}  // namespace touchline

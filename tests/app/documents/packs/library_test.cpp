@@ -1,0 +1,147 @@
+// Tests packs as they are installed, replaced, listed and heard.
+#include "app/documents/packs/pack.h"
+#include "app/documents/packs/pack_library.h"
+#include "audio-cues/speech/recorded_prompts.h"
+#include "audio-cues/words/language.h"
+#include "tests/app/documents/packs/made_packs.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+namespace touchline {
+namespace {
+
+Pack example() {
+    auto pack = read_pack(made::example_pack());
+    EXPECT_TRUE(pack.has_value());
+    return pack ? std::move(*pack) : Pack{};
+}
+
+Pack with_version(Pack pack, PackVersion version) {
+    pack.info.version = version;
+    for (PackFile& file : pack.files)
+        if (file.name == "pack.toml") file.bytes = made::bytes_of(toml_of(pack.info));
+    return pack;
+}
+
+std::vector<std::string> names_in(const std::string& folder) {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        names.push_back(entry.path().filename());
+    return names;
+}
+
+TEST(Library, HoldsAPackBitForBit) {
+    const made::Folder library;
+    const auto place = import_pack(example(), library.path());
+    ASSERT_TRUE(place.has_value()) << sentence_of(place.error(), Language());
+    EXPECT_TRUE(*read_pack(*place) == example());
+    EXPECT_EQ(names_in(library.path()), std::vector<std::string>{"shapes-and-a-boat"});
+}
+
+TEST(Library, TakesANewerVersionAndAsksBeforeAnOlder) {
+    const made::Folder library;
+    ASSERT_TRUE(import_pack(example(), library.path()).has_value());
+    ASSERT_TRUE(import_pack(with_version(example(), {2, 0, 0}), library.path()).has_value());
+    const auto older = import_pack(example(), library.path());
+    ASSERT_FALSE(older.has_value());
+    EXPECT_EQ(older.error().kind, FindingKind::older);
+    EXPECT_EQ(older.error().what, "2.0.0");
+    const std::string place = library.path() + "/shapes-and-a-boat";
+    EXPECT_EQ(read_pack(place)->info.version, (PackVersion{2, 0, 0}));
+    ASSERT_TRUE(import_pack(example(), library.path(), OlderPack::take).has_value());
+    EXPECT_EQ(read_pack(place)->info.version, (PackVersion{1, 0, 0}));
+    EXPECT_EQ(names_in(library.path()).size(), 1U);
+}
+
+TEST(Library, AFileThatTheNewVersionLacksIsGone) {
+    const made::Folder library;
+    Pack first = example();
+    first.files.push_back({"zz.txt", made::bytes_of("notes")});
+    ASSERT_TRUE(import_pack(first, library.path()).has_value());
+    ASSERT_TRUE(import_pack(example(), library.path()).has_value());
+    EXPECT_FALSE(std::filesystem::exists(library.path() + "/shapes-and-a-boat/zz.txt"));
+}
+
+TEST(Library, KeepsTheOldVersionWhenTheNewOneCannotBeUsed) {
+    const made::Folder library;
+    ASSERT_TRUE(import_pack(example(), library.path()).has_value());
+    Pack broken = with_version(example(), {3, 0, 0});
+    for (PackFile& file : broken.files)
+        if (file.name == "boat.svg") file.bytes = made::bytes_of("<svg");
+    const auto refused = import_pack(broken, library.path());
+    ASSERT_FALSE(refused.has_value());
+    EXPECT_EQ(refused.error().kind, FindingKind::picture_broken);
+    EXPECT_EQ(refused.error().file, "boat.svg");
+    EXPECT_TRUE(*read_pack(library.path() + "/shapes-and-a-boat") == example());
+}
+
+/// Leftovers of an import that lost power.
+TEST(Library, LeftoversAreNoPacksAndAreCleaned) {
+    const made::Folder library;
+    library.write(".unfinished-x-1/pack.toml", made::bytes_of("half"));
+    std::vector<PackFinding> problems;
+    EXPECT_TRUE(list_library(library.path(), {}, problems).empty());
+    EXPECT_TRUE(problems.empty());
+    ASSERT_TRUE(import_pack(example(), library.path()).has_value());
+    EXPECT_EQ(names_in(library.path()).size(), 1U);
+}
+
+TEST(Library, ThatCannotBeWrittenIsSaid) {
+    const auto refused = import_pack(example(), "/proc/touchline");
+    ASSERT_FALSE(refused.has_value());
+    EXPECT_EQ(refused.error().kind, FindingKind::library_unwritable);
+}
+
+TEST(Library, IsListedInALanguage) {
+    const made::Folder library;
+    ASSERT_TRUE(import_pack(example(), library.path()).has_value());
+    library.write("broken/pack.toml", made::bytes_of("id = 7"));
+    std::vector<PackFinding> problems;
+    const auto pictures = list_library(library.path(), {"de"}, problems);
+    ASSERT_EQ(pictures.size(), 2U);
+    EXPECT_EQ(pictures[0].entry.title, "Ein Kreis");
+    EXPECT_EQ(pictures[0].entry.difficulty, 1);
+    EXPECT_EQ(pictures[0].pack_title, "Formen und ein Boot");
+    EXPECT_EQ(pictures[1].entry.title, "Ein Boot");
+    ASSERT_EQ(problems.size(), 1U);
+    EXPECT_EQ(problems[0].file, "broken/pack.toml");
+    const auto map = read_pack_map(pictures[1].entry.path, {"de"});
+    ASSERT_TRUE(map.has_value());
+    EXPECT_EQ(map->outlines[1].label, "Segel");
+}
+
+TEST(Library, RecordingsTakeThePlaceOfTheVoice) {
+    const made::Folder library;
+    ASSERT_TRUE(import_pack(example(), library.path()).has_value());
+    std::vector<PackFinding> problems;
+    const auto pictures = list_library(library.path(), {"en"}, problems);
+    ASSERT_EQ(pictures.size(), 2U);
+    RecordedPrompts prompts;
+    for (const LibraryPicture& picture : pictures)
+        for (RecordedText& recorded : recorded_texts(picture, {"en"}, problems))
+            prompts.add(recorded.language, recorded.text, std::move(recorded.samples));
+    EXPECT_TRUE(problems.empty());
+    EXPECT_EQ(prompts.size(), 2U);
+    Utterance utterance;
+    utterance.language = "en";
+    utterance.text = "Sail";
+    const auto* samples = prompts.of(utterance);
+    ASSERT_NE(samples, nullptr);
+    EXPECT_GT(samples->size(), 10000U);
+    utterance.text = pictures[0].entry.description;
+    EXPECT_NE(prompts.of(utterance), nullptr);
+    EXPECT_TRUE(recorded_texts(pictures[0], {"de"}, problems).empty());
+}
+
+TEST(Check, PartsThatARecordingNamesMustBeThere) {
+    Pack pack = example();
+    pack.info.sounds[1].part = "mast";
+    const auto findings = check_pack(pack);
+    ASSERT_EQ(findings.size(), 1U);
+    EXPECT_EQ(findings[0].kind, FindingKind::no_such_part);
+    EXPECT_TRUE(can_be_used(findings));
+}
+
+}  // namespace
+}  // namespace touchline

@@ -1,0 +1,210 @@
+// The servo program with a fake board, and a kiosk around it that does nothing else.
+//
+//   servo_rig SOCKET BOARD         the servo
+//   servo_rig SOCKET usb DEVICE    the servo with a board on the USB, whatever its tier
+//   servo_rig usb-kiosk DEVICE     its kiosk, with a hand that is pulled, until killed
+//   servo_rig kiosk BOARD [PATH]   the kiosk, until SIGTERM; asks at PATH for its servo; SIGUSR1:
+//                                  keeps a recording; SIGUSR2: its main thread hangs for 0.8 s
+//   servo_rig listen PATH          like systemd with touchline-servo.socket: starts a servo for
+//                                  each request
+//   servo_rig SOCKET               the servo started so: the kiosk names its board
+#include "app/force/servo/servo_process.h"
+#include "app/force/servo/servo_program.h"
+#include "app/force/servo/usb_device.h"
+#include "app/isolation/process/child.h"
+#include "haptics/servo/tick_clock.h"
+#include "tests/app/force/servo/fake_board.h"
+#include "tests/app/force/servo/felt_line.h"
+#include "tests/app/force/servo/mapped_file.h"
+#include "tests/haptics/servo/rigs.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <sys/socket.h>
+#include <sys/un.h>
+
+namespace touchline {
+namespace {
+
+constexpr Position above{0.0, 0.01};
+constexpr Position pressed{0.0, -0.002};
+
+void do_mischief(Mischief mischief) {
+    if (mischief == Mischief::write_nowhere) *static_cast<volatile int*>(nullptr) = 1;
+    if (mischief == Mischief::throw_something) throw std::runtime_error("a bug");
+    // Volatile, because a compiler may assume that a loop without effects ends.
+    for (volatile bool spins = mischief == Mischief::spin; spins;) {
+    }
+}
+
+class FakeDevice final : public ForceDevice {
+  public:
+    explicit FakeDevice(FakeBoard& board) : board_(board) {}
+
+    [[nodiscard]] std::optional<JointAngles> read_angles(double /*now_s*/) override {
+        ++board_.reads;
+        do_mischief(board_.mischief.exchange(Mischief::none));
+        // Moves at 0.12 m/s: a handle that leaps is a fault.
+        const double down_m = above.y - pressed.y;
+        const double goal_m = board_.is_pressed != 0 ? down_m : 0.0;
+        moved_m_ += std::clamp(goal_m - moved_m_, -1.2e-4, 1.2e-4);
+        return angles_at(default_profile(), above - Position{0.0, moved_m_});
+    }
+
+    [[nodiscard]] bool write_torques(JointTorques torques) override {
+        board_.put(torques);
+        return true;
+    }
+
+  private:
+    FakeBoard& board_;
+    double moved_m_ = 0.0;
+};
+
+void write_zero(void* device) noexcept {
+    auto& board = *static_cast<FakeBoard*>(device);
+    board.put({});
+    ++board.zeroed_by_handler;
+}
+
+Result<OpenedDevice> open_fake_device(FakeBoard& board, const Opening& opening) {
+    if (!board.is_free()) return failure("the board is busy");
+    board.owner = getpid();
+    board.reads = 0;
+    MonotonicClock clock;
+    while (board.is_tried != 0 && opening.goes_on()) {
+        opening.mark_force(true);
+        board.put({0.03, 0.0});
+        clock.sleep_until(clock.now_ns() + 1'000'000);
+    }
+    board.put({});
+    opening.mark_force(false);
+    ++board.opened;
+    OpenedDevice opened;
+    opened.device = std::make_unique<FakeDevice>(board);
+    opened.profile = default_profile();
+    opened.has_motors = false;  // as below
+    opened.zero = {write_zero, &board};
+    opened.release = [&board] { return board.is_zero_unconfirmed == 0; };
+    return opened;
+}
+
+Result<void> zero_by_guard(FakeBoard& board) {
+    if (!board.is_free()) return failure("the board is busy");
+    board.put({});
+    ++board.zeroed_by_guard;
+    return {};
+}
+
+std::atomic<bool> is_end_asked{false}, is_recording_asked{false}, is_hang_asked{false};
+
+int run_kiosk(const std::string& program, const std::string& board_path, const std::string& path) {
+    FakeBoard& board = mapped<FakeBoard>(board_path);
+    std::signal(SIGTERM, [](int) { is_end_asked = true; });
+    std::signal(SIGUSR1, [](int) { is_recording_asked = true; });
+    std::signal(SIGUSR2, [](int) { is_hang_asked = true; });
+    ServoProcess servo({program,
+                        {board_path},
+                        [&board](const std::string&) { return zero_by_guard(board); },
+                        {},
+                        path});
+    servo.feel(felt_line(0.0, 1));
+    MonotonicClock clock;
+    while (!is_end_asked) {
+        (void)servo.latest();
+        const std::string notice = servo.take_notice();
+        if (!notice.empty()) std::fprintf(stderr, "%s\n", notice.c_str());
+        if (is_recording_asked.exchange(false)) servo.keep_recording();
+        const bool hangs = is_hang_asked.exchange(false);
+        clock.sleep_until(clock.now_ns() + (hangs ? 800'000'000 : 16'000'000));
+    }
+    servo.stop();
+    return 0;
+}
+
+int run_usb_kiosk(const std::string& program, const std::vector<std::string>& words) {
+    const UsbDevice device = device_of(words).value();
+    std::vector<std::string> arguments{"usb"};
+    arguments.insert(arguments.end(), words.begin(), words.end());
+    ServoProcessOptions options{program, arguments, [device](const std::string& bus_path) {
+                                    return zero_usb_device(device, bus_path);
+                                }};
+    options.cut_torque = [device](const HeldBoard& held) { return cut_usb_device(device, held); };
+    ServoProcess servo(std::move(options));
+    servo.feel(felt_line(0.045, 1));
+    ServoCommands commands;
+    commands.contact.mode = Mode::groove;
+    commands.has_frame = false;  // home lies beyond the drawing area
+    servo.set(commands);
+    MonotonicClock clock;
+    for (bool is_beside = false;; clock.sleep_until(clock.now_ns() + 2'000'000)) {
+        const HandState& hand = servo.latest();
+        const bool is_live = servo.force_status().state == ForceState::live;
+        if (is_live && !is_beside) servo.feel(felt_line(hand.p_WH.y + 0.001, 2));
+        is_beside = is_live;
+        const std::string notice = servo.take_notice();
+        if (!notice.empty()) std::fprintf(stderr, "%s\n", notice.c_str());
+    }
+}
+
+/// Listens until it is killed. The kernel reaps its children.
+int listen_at(const std::string& program, const std::string& path) {
+    std::signal(SIGCHLD, SIG_IGN);
+    const Descriptor socket(::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0));
+    sockaddr_un place{};
+    place.sun_family = AF_UNIX;
+    path.copy(place.sun_path, sizeof place.sun_path - 1);
+    if (::bind(socket.number(), reinterpret_cast<const sockaddr*>(&place), sizeof place) != 0 ||
+        ::listen(socket.number(), 8) != 0)
+        return 1;
+    for (;;) {
+        const Descriptor asking(::accept4(socket.number(), nullptr, nullptr, SOCK_CLOEXEC));
+        if (!asking.is_open()) return 1;
+        (void)Child::start(program, {std::to_string(Child::first_handed)}, std::array{&asking});
+    }
+}
+
+/// Opens the device whatever the tier, so that a busy machine changes nothing.
+Result<OpenedDevice> open_at_any_tier(std::span<const std::string> arguments,
+                                      const Opening& opening) {
+    auto opened = open_usb_device(device_of(arguments).value(), opening);
+    if (opened) opened->has_motors = false;
+    return opened;
+}
+
+}  // namespace
+}  // namespace touchline
+
+int main(int argc, char** argv) {
+    using namespace touchline;
+    if (argc < 2) return 2;
+    if (argc == 2) {
+        return run_servo_program(std::stoi(argv[1]), [](const Opening& opening) {
+            return open_fake_device(mapped<FakeBoard>(opening.words.at(0)), opening);
+        });
+    }
+    if (std::string(argv[1]) == "usb-kiosk") return run_usb_kiosk(argv[0], {argv + 2, argv + argc});
+    if (std::string(argv[2]) == "usb") {
+        const std::vector<std::string> device(argv + 3, argv + argc);
+        return run_servo_program(std::stoi(argv[1]), [&](const Opening& opening) {
+            return open_at_any_tier(device, opening);
+        });
+    }
+    if (std::string(argv[1]) == "kiosk")
+        return run_kiosk(argv[0], argv[2], argc > 3 ? argv[3] : "");
+    if (std::string(argv[1]) == "listen") return listen_at(argv[0], argv[2]);
+    FakeBoard& board = mapped<FakeBoard>(argv[2]);
+    return run_servo_program(std::stoi(argv[1]), [&board](const Opening& opening) {
+        return open_fake_device(board, opening);
+    });
+}
