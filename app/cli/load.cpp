@@ -1,9 +1,9 @@
 #include "app/cli/load.h"
 
-#include "app/cli/json.h"
 #include "app/documents/decode/map_svg.h"
 #include "app/documents/decode/opening.h"
 #include "app/documents/models/networks.h"
+#include "app/documents/trace/json.h"
 #include "app/documents/trace/page_views.h"
 #include "config/types/map_bytes.h"
 

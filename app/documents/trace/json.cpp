@@ -1,4 +1,4 @@
-#include "app/cli/json.h"
+#include "app/documents/trace/json.h"
 
 #include <cmath>
 
