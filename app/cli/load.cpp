@@ -138,7 +138,7 @@ Result<TactileMap> map_of(const SeenView& view) {
 
 Result<TactileMap> load_map(const std::string& path, bool as_picture) {
     if (is_map_name(path) && !as_picture) return read_map_svg(path);
-    return open_view(path).and_then(map_of);
+    return open_view(path).and_then([](const SeenView& view) { return map_of(view); });
 }
 
 Result<TactileMap> load_drawing(const std::string& path, int detail) {

@@ -9,9 +9,9 @@ namespace touchline {
 
 namespace {
 
-constexpr int width_px = 1600;
+constexpr int figure_width_px = 1600;
 constexpr double picture_height_px = 1160.0;
-constexpr double margin_px = 40.0;
+constexpr double figure_margin_px = 40.0;
 constexpr double figure_cap_px = 20.0;
 constexpr double px_per_N = 60.0;
 
@@ -25,7 +25,7 @@ constexpr Paint proxy_paint{white_on_black.proxy};
 constexpr Paint lifted_paint{white_on_black.frame};
 
 void paint_map(cairo_t* cr, const TourFigure& figure, const Scene& scene, const Canvas& picture) {
-    const View view = view_of(scene.area, {0.0, 0.0, width_px, picture_height_px});
+    const View view = view_of(scene.area, {0.0, 0.0, figure_width_px, picture_height_px});
     paint_picture(cr, view, scene.area, picture);
     paint_frame(cr, area_rect(scene.area, view), 1.0);
     paint_outlines(cr, view, scene.curves, 0.0, outline_px, outline_paint);
@@ -50,8 +50,9 @@ constexpr std::array legend{
     LegendEntry{"force, this long: 1 N", {white_on_black.force}, force_px, true}};
 
 void paint_legend(cairo_t* cr, double top_px) {
-    const double column_px = (width_px - 2.0 * margin_px) / static_cast<double>(legend.size());
-    PixelPoint at{margin_px, top_px};
+    const double column_px =
+        (figure_width_px - 2.0 * figure_margin_px) / static_cast<double>(legend.size());
+    PixelPoint at{figure_margin_px, top_px};
     for (const LegendEntry& entry : legend) {
         const PixelPoint from = at + PixelPoint{0.0, 0.8 * figure_cap_px};
         const PixelPoint to = from + PixelPoint{px_per_N, 0.0};
@@ -66,8 +67,8 @@ void paint_legend(cairo_t* cr, double top_px) {
 
 /// Paints title, legend and lines from `top_px` on, or only measures them; returns the lower end.
 double paint_words(cairo_t* cr, const TourFigure& figure, double top_px) {
-    constexpr double text_width_px = width_px - 2.0 * margin_px;
-    PixelPoint at{margin_px, top_px};
+    constexpr double text_width_px = figure_width_px - 2.0 * figure_margin_px;
+    PixelPoint at{figure_margin_px, top_px};
     const std::array<TextRun, 1> title{TextRun{figure.title, white_on_black.name, true}};
     at.y += paint_text(cr, at, text_width_px, 1.3 * figure_cap_px, title) + 0.5 * figure_cap_px;
     paint_legend(cr, at.y);
@@ -83,10 +84,11 @@ double paint_words(cairo_t* cr, const TourFigure& figure, double top_px) {
 
 Canvas paint_tour(const TourFigure& figure, const Scene& scene, const Canvas& picture) {
     const Canvas probe(1, 1);
-    const double height_px = paint_words(probe.context(), figure, picture_height_px) + margin_px;
-    Canvas canvas(width_px, static_cast<int>(height_px));
+    const double height_px =
+        paint_words(probe.context(), figure, picture_height_px) + figure_margin_px;
+    Canvas canvas(figure_width_px, static_cast<int>(height_px));
     cairo_t* const cr = canvas.context();
-    fill(cr, {0.0, 0.0, width_px, height_px}, {white_on_black.background});
+    fill(cr, {0.0, 0.0, figure_width_px, height_px}, {white_on_black.background});
     paint_map(cr, figure, scene, picture);
     paint_words(cr, figure, picture_height_px);
     return canvas;

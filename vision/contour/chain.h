@@ -109,9 +109,9 @@ inline constexpr EndId kNoEnd = std::numeric_limits<EndId>::max();
 }
 
 /// A point as a key: the arms of a junction share theirs, bit for bit.
-using Place = std::pair<double, double>;
+using PointKey = std::pair<double, double>;
 
-[[nodiscard]] inline Place place_of(const cv::Point2d& p) {
+[[nodiscard]] inline PointKey key_of(const cv::Point2d& p) {
     return {p.x, p.y};
 }
 

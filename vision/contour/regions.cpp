@@ -160,17 +160,17 @@ std::vector<Chain> joined(std::vector<Chain> lines, std::size_t strokes, cv::Siz
                           double greatest_width_px) {
     JunctionSet junctions(kBorderBlur_px, kBorderSpan_px);
     const PointGrid grid(lines, size, greatest_width_px);
-    std::set<Place> met;
-    std::set<Place> twice;
+    std::set<PointKey> met;
+    std::set<PointKey> twice;
     for (EndId end = 0; end < 2 * lines.size(); ++end) {
-        const Place place = place_of(point_at(lines, end).at);
+        const PointKey place = key_of(point_at(lines, end).at);
         if (!met.insert(place).second) twice.insert(place);
     }
     for (EndId end = 0; end < 2 * lines.size(); ++end) {
         const cv::Point2d at = point_at(lines, end).at;
         const bool is_on_frame =
             at.x < 0.0 || at.y < 0.0 || at.x > size.width - 1.0 || at.y > size.height - 1.0;
-        if (lines[chain_of(end)].is_closed || is_on_frame || twice.contains(place_of(at))) continue;
+        if (lines[chain_of(end)].is_closed || is_on_frame || twice.contains(key_of(at))) continue;
         const bool is_stroke = chain_of(end) < strokes;
         double nearest_px =
             is_stroke ? lines[chain_of(end)].width_px + 3.0 : 0.5 * greatest_width_px + 3.0;

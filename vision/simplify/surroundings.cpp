@@ -34,15 +34,15 @@ struct Join {
 };
 
 std::vector<FreeEnd> free_ends(const std::vector<Chain>& lines) {
-    std::map<Place, int> uses;
+    std::map<PointKey, int> uses;
     for (const Chain& line : lines) {
-        for (const EdgePoint& p : line.points) ++uses[place_of(p.at)];
+        for (const EdgePoint& p : line.points) ++uses[key_of(p.at)];
     }
     std::vector<FreeEnd> ends;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         for (const EndId id : {front_of(i), back_of(i)}) {
             const cv::Point2d at = point_at(lines, id).at;
-            if (!lines[i].is_closed && uses[place_of(at)] == 1) {
+            if (!lines[i].is_closed && uses[key_of(at)] == 1) {
                 ends.push_back(
                     {id, at, ray_at(lines[i].points, is_back(id), kSkip_mm, kSpan_mm).direction});
             }
@@ -101,24 +101,24 @@ int sides_near(const Chain& line, const cv::Rect2d& picture_mm, double reach_mm)
 /// The lines cut where others end on them, and which of the ends were one line before.
 struct Arms {
     std::vector<Chain> chains;
-    std::map<Place, std::vector<EndId>> meeting;  // of open ones
-    std::map<Place, std::vector<std::pair<EndId, EndId>>> through;
+    std::map<PointKey, std::vector<EndId>> meeting;  // of open ones
+    std::map<PointKey, std::vector<std::pair<EndId, EndId>>> through;
 };
 
-std::set<Place> ends_of(const std::vector<Chain>& lines) {
-    std::set<Place> ends;
+std::set<PointKey> ends_of(const std::vector<Chain>& lines) {
+    std::set<PointKey> ends;
     for (const Chain& line : lines) {
         if (!line.is_closed) {
-            ends.insert(place_of(line.points.front().at));
-            ends.insert(place_of(line.points.back().at));
+            ends.insert(key_of(line.points.front().at));
+            ends.insert(key_of(line.points.back().at));
         }
     }
     return ends;
 }
 
 /// Cuts one line into arms: from junction to junction.
-void cut(Chain line, const std::set<Place>& junctions, Arms& arms) {
-    const auto is_junction = [&](const EdgePoint& p) { return junctions.contains(place_of(p.at)); };
+void cut(Chain line, const std::set<PointKey>& junctions, Arms& arms) {
+    const auto is_junction = [&](const EdgePoint& p) { return junctions.contains(key_of(p.at)); };
     if (line.is_closed) {
         const auto first = std::ranges::find_if(line.points, is_junction);
         if (first == line.points.end()) {
@@ -138,13 +138,13 @@ void cut(Chain line, const std::set<Place>& junctions, Arms& arms) {
         }
     }
     for (std::size_t arm = before; arm < arms.chains.size(); ++arm) {
-        arms.meeting[place_of(arms.chains[arm].points.front().at)].push_back(front_of(arm));
-        arms.meeting[place_of(arms.chains[arm].points.back().at)].push_back(back_of(arm));
+        arms.meeting[key_of(arms.chains[arm].points.front().at)].push_back(front_of(arm));
+        arms.meeting[key_of(arms.chains[arm].points.back().at)].push_back(back_of(arm));
         const bool is_last = arm + 1 == arms.chains.size();
         if (!is_last || line.is_closed) {
             const EndId next = front_of(is_last ? before : arm + 1);
-            arms.through[place_of(arms.chains[arm].points.back().at)].emplace_back(back_of(arm),
-                                                                                   next);
+            arms.through[key_of(arms.chains[arm].points.back().at)].emplace_back(back_of(arm),
+                                                                                 next);
         }
     }
 }
@@ -273,7 +273,7 @@ double held_area(const Chain& line) {
 }
 
 std::vector<Chain> with_silhouettes_joined(std::vector<Chain> lines, const Outside& outside) {
-    const std::set<Place> junctions = ends_of(lines);
+    const std::set<PointKey> junctions = ends_of(lines);
     Arms arms;
     for (Chain& line : lines) cut(std::move(line), junctions, arms);
     std::vector<Side> sides;
