@@ -106,8 +106,7 @@ class SiteHours {
         constexpr double look_s = 1.0;
         if (now_s - looked_s_ < look_s) return std::nullopt;
         looked_s_ = now_s;
-        const std::optional<int> minute =
-            minute_of_day_ ? std::optional(minute_of_day_()) : std::nullopt;
+        const int minute = minute_of_day_ ? minute_of_day_() : no_clock;
         const SiteOpening opening = settings.is_maintained ? SiteOpening::maintenance
                                     : is_in(settings.opening_hours, minute).value_or(true)
                                         ? SiteOpening::open
@@ -122,11 +121,13 @@ class SiteHours {
 
   private:
     /// Nothing: there is no clock, or no such hours.
-    static std::optional<bool> is_in(std::string_view hours, std::optional<int> minute) {
+    static std::optional<bool> is_in(std::string_view hours, int minute) {
         const auto known = hours_in(hours);
-        if (!known || !minute) return std::nullopt;
-        return is_within(*known, *minute);
+        if (!known || minute == no_clock) return std::nullopt;
+        return is_within(*known, minute);
     }
+
+    static constexpr int no_clock = -1;
 
     std::function<int()> minute_of_day_;
     double looked_s_ = -1e9;
