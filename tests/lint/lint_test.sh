@@ -10,10 +10,10 @@ failed=0
 # start_tree: an empty project that every lint accepts.
 start_tree() {
     rm -rf "${tree:?}"/*
-    mkdir -p "$tree"/{config/types,vision/contour,haptics/{curve,contact,servo},app/{screen,decode},tests/vision}
+    mkdir -p "$tree"/{config/types,vision/contour,haptics/{curve,contact,servo},app/{screen,documents/decode},tests/vision}
     local folder
     for folder in . config config/types vision vision/contour haptics haptics/{curve,contact,servo} \
-        app app/screen app/documents/decode tests; do
+        app app/screen app/documents app/documents/decode tests; do
         echo 'What it is.' >"$tree/$folder/README.md"
     done
     write config/types/vec2.h '#pragma once' '#include <cmath>'
