@@ -53,7 +53,7 @@ void write_row(fmt::memory_buffer& out, const HandRow& hand, const ContactReport
     fmt::format_to(to, ",{},{},{}", report.carried_m, report.boxes, report.clear);
 }
 
-/// By the first two rows.
+/// The first two rows tell it.
 double period_of(const std::vector<HandRow>& hand) {
     return hand.size() > 1 ? hand[1].t_s - hand[0].t_s : first_period_s;
 }

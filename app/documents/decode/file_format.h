@@ -69,7 +69,7 @@ inline constexpr std::array file_formats{
     return ending.empty() || found == file_formats.end() ? nullptr : found;
 }
 
-/// By the first bytes; a name tells nothing. O(1).
+/// The first bytes tell the format; a name tells nothing. O(1).
 [[nodiscard]] FileFormat format_of(std::span<const std::byte> bytes);
 
 struct PageOrder {

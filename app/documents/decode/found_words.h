@@ -22,8 +22,8 @@ namespace touchline {
 enum class WrittenLanguage : std::uint8_t { english, german, french, spanish, italian };
 
 struct ReadingOrder {
-    /// At least one, the likeliest first. Each further one takes as long again as the first, so ask
-    /// only for those that the visitor speaks.
+    /// There is at least one; the likeliest comes first. Each further one takes as long again as
+    /// the first, so ask only for those that the visitor speaks.
     std::vector<WrittenLanguage> languages{WrittenLanguage::english};
 };
 

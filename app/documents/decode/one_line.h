@@ -16,7 +16,7 @@ namespace touchline {
 /// cut. Never splits a UTF-8 character.
 [[nodiscard]] std::string one_line(std::string_view text);
 
-/// For a longer text (a description): control characters and marks that turn the direction of
+/// Makes a longer text (a description) fit: control characters and marks that turn the direction of
 /// writing become blanks, and runs of blanks become one. Cuts as one_line() does, after
 /// `most_bytes`.
 [[nodiscard]] std::string one_spaced(std::string_view text, std::size_t most_bytes);

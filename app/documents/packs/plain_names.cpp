@@ -53,7 +53,7 @@ bool is_archive(std::span<const std::byte> bytes) {
                marks, [bytes](std::string_view mark) { return begins_with(bytes, 0, mark); });
 }
 
-/// In the unit of the sentence.
+/// The limit in the unit that the sentence names.
 double limit_of(FindingKind kind) {
     constexpr double megabyte = 1 << 20U;
     switch (kind) {

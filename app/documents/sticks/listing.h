@@ -90,7 +90,7 @@ inline constexpr std::size_t most_listing_bytes = std::size_t{9} << 20U;
 /// number is in its range and every byte is used. O(n).
 [[nodiscard]] Result<StickListing> listing_of(std::span<const std::byte> bytes);
 
-/// In the order of touchline-import's exit statuses.
+/// The order is that of touchline-import's exit statuses.
 enum class StickRefusal : std::uint8_t {
     gone,  // it was pulled out
     no_such_file,
