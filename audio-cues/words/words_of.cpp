@@ -9,13 +9,13 @@
 namespace touchline {
 namespace {
 
-constexpr int kMostCounted = 4;
+constexpr int most_counted = 4;
 /// As a share of the picture's area: from a half on, "most" is true.
-constexpr double kMostFrom = 0.5;
+constexpr double most_from = 0.5;
 /// As a share of the picture's width: things that span three of the five columns are in none of
 /// them.
-constexpr double kAcrossFrom = 0.6;
-constexpr int kColumns = 5;
+constexpr double across_from = 0.6;
+constexpr int columns = 5;
 /// As shares of the picture's height: the middle row is a little higher than the others, so that a
 /// thing only somewhat off the middle is not said to be at the top or at the bottom.
 constexpr double kTop = 0.3;
@@ -27,39 +27,39 @@ struct ThingText {
 };
 
 /// The texts are in the order of ThingName.
-constexpr std::array<ThingText, thing_name_count> kTexts{{{"a person", "{0} people"},
-                                                          {"a bicycle", "{0} bicycles"},
-                                                          {"a car", "{0} cars"},
-                                                          {"a motorcycle", "{0} motorcycles"},
-                                                          {"an aeroplane", "{0} aeroplanes"},
-                                                          {"a bus", "{0} buses"},
-                                                          {"a train", "{0} trains"},
-                                                          {"a lorry", "{0} lorries"},
-                                                          {"a boat", "{0} boats"},
-                                                          {"a bird", "{0} birds"},
-                                                          {"a cat", "{0} cats"},
-                                                          {"a dog", "{0} dogs"},
-                                                          {"a horse", "{0} horses"},
-                                                          {"a sheep", "{0} sheep"},
-                                                          {"a cow", "{0} cows"},
-                                                          {"an elephant", "{0} elephants"},
-                                                          {"a bear", "{0} bears"},
-                                                          {"a zebra", "{0} zebras"},
-                                                          {"a giraffe", "{0} giraffes"},
-                                                          {"a bench", "{0} benches"},
-                                                          {"an umbrella", "{0} umbrellas"},
-                                                          {"a chair", "{0} chairs"},
-                                                          {"a sofa", "{0} sofas"},
-                                                          {"a potted plant", "{0} potted plants"},
-                                                          {"a bed", "{0} beds"},
-                                                          {"a table", "{0} tables"},
-                                                          {"a screen", "{0} screens"},
-                                                          {"a refrigerator", "{0} refrigerators"},
-                                                          {"an animal", "{0} animals"},
-                                                          {"a vehicle", "{0} vehicles"}}};
+constexpr std::array<ThingText, thing_name_count> texts{{{"a person", "{0} people"},
+                                                         {"a bicycle", "{0} bicycles"},
+                                                         {"a car", "{0} cars"},
+                                                         {"a motorcycle", "{0} motorcycles"},
+                                                         {"an aeroplane", "{0} aeroplanes"},
+                                                         {"a bus", "{0} buses"},
+                                                         {"a train", "{0} trains"},
+                                                         {"a lorry", "{0} lorries"},
+                                                         {"a boat", "{0} boats"},
+                                                         {"a bird", "{0} birds"},
+                                                         {"a cat", "{0} cats"},
+                                                         {"a dog", "{0} dogs"},
+                                                         {"a horse", "{0} horses"},
+                                                         {"a sheep", "{0} sheep"},
+                                                         {"a cow", "{0} cows"},
+                                                         {"an elephant", "{0} elephants"},
+                                                         {"a bear", "{0} bears"},
+                                                         {"a zebra", "{0} zebras"},
+                                                         {"a giraffe", "{0} giraffes"},
+                                                         {"a bench", "{0} benches"},
+                                                         {"an umbrella", "{0} umbrellas"},
+                                                         {"a chair", "{0} chairs"},
+                                                         {"a sofa", "{0} sofas"},
+                                                         {"a potted plant", "{0} potted plants"},
+                                                         {"a bed", "{0} beds"},
+                                                         {"a table", "{0} tables"},
+                                                         {"a screen", "{0} screens"},
+                                                         {"a refrigerator", "{0} refrigerators"},
+                                                         {"an animal", "{0} animals"},
+                                                         {"a vehicle", "{0} vehicles"}}};
 
 /// The rows go from the top, the columns from the left.
-constexpr std::array<std::array<const char*, kColumns>, 3> kPlaces{
+constexpr std::array<std::array<const char*, columns>, 3> kPlaces{
     {{"at the top left", "at the top, left of the middle", "at the top",
       "at the top, right of the middle", "at the top right"},
      {"on the left", "left of the middle", "in the middle", "right of the middle", "on the right"},
@@ -92,16 +92,16 @@ std::vector<Group> groups_of(std::span<const NamedThing> things) {
 /// Returns the words for the middle of the box, or for how much of the picture the largest thing
 /// covers.
 std::string place_of(const ThingBox& box, double largest_area, const Language& language) {
-    if (largest_area >= kMostFrom) return language.text("thing place", "in most of the picture");
+    if (largest_area >= most_from) return language.text("thing place", "in most of the picture");
     const double x = (box.left + box.right) / 2.0;
     const double y = (box.top + box.bottom) / 2.0;
     const std::size_t row = y < kTop ? 0 : y <= kBottom ? 1 : 2;
-    const auto column = static_cast<std::size_t>(std::clamp(x * kColumns, 0.0, kColumns - 1.0));
+    const auto column = static_cast<std::size_t>(std::clamp(x * columns, 0.0, columns - 1.0));
     return language.text("thing place", kPlaces[row][column]);
 }
 
 std::string place_of(const Group& group, const Language& language) {
-    const bool is_across = group.count > 1 && group.box.right - group.box.left >= kAcrossFrom;
+    const bool is_across = group.count > 1 && group.box.right - group.box.left >= across_from;
     if (is_across) return language.text("thing place", "across the picture");
     return place_of(group.box, group.largest_area, language);
 }
@@ -121,10 +121,10 @@ std::string words_of(Cue cue, const Language& language) {
 }
 
 std::string words_of(ThingName name, int count, const Language& language) {
-    const ThingText& text = kTexts[static_cast<std::size_t>(name)];
+    const ThingText& text = texts[static_cast<std::size_t>(name)];
     const std::string counted =
-        language.counted("thing", text.one, text.many, std::min(count, kMostCounted));
-    return count < kMostCounted ? counted : language.text("things", "{0} or more", {counted});
+        language.counted("thing", text.one, text.many, std::min(count, most_counted));
+    return count < most_counted ? counted : language.text("things", "{0} or more", {counted});
 }
 
 std::string words_of(const ThingBox& box, const Language& language) {

@@ -18,10 +18,10 @@ std::int64_t pixels(const StreamMode& mode) {
 }
 
 /// In the order of PixelFormat: how much it costs to get pixels.
-constexpr std::array kCosts{2, 3, 1, 0};
+constexpr std::array costs{2, 3, 1, 0};
 
 int cost(const StreamMode& mode) {
-    return kCosts[static_cast<std::size_t>(mode.format)];
+    return costs[static_cast<std::size_t>(mode.format)];
 }
 
 bool is_enough(const StreamMode& mode) {

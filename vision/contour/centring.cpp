@@ -10,9 +10,9 @@ namespace touchline {
 namespace {
 
 constexpr double kStep_px = 0.25;
-constexpr double kNarrowest = 0.5;  // of the known width: a sound measurement
-constexpr double kWidest = 1.3;
-constexpr int kSmoothingPasses = 3;
+constexpr double narrowest = 0.5;  // of the known width: a sound measurement
+constexpr double widest = 1.3;
+constexpr int smoothing_passes = 3;
 
 /// Interpolates bilinearly; outside the picture it returns the value at the border.
 double darkness_at(const cv::Mat1f& darkness, const cv::Point2d& at) {
@@ -99,11 +99,11 @@ class Centring {
             const cv::Point2d along = after->at - before->at;
             if (!(cv::norm(along) > 0.0) || is_near_fixed(i)) continue;
             const cv::Point2d normal = cv::Point2d(-along.y, along.x) / cv::norm(along);
-            const double far_px = kWidest * line_.width_px + 1.0;
+            const double far_px = widest * line_.width_px + 1.0;
             const std::optional<double> one = ink_ahead(darkness_, point(i)->at, normal, far_px);
             const std::optional<double> other = ink_ahead(darkness_, point(i)->at, -normal, far_px);
-            if (!one || !other || *one + *other < kNarrowest * line_.width_px ||
-                *one + *other > kWidest * line_.width_px + 1.0) {
+            if (!one || !other || *one + *other < narrowest * line_.width_px ||
+                *one + *other > widest * line_.width_px + 1.0) {
                 continue;
             }
             moved[static_cast<std::size_t>(i)].at += 0.5 * (*one - *other) * normal;
@@ -114,7 +114,7 @@ class Centring {
     }
 
     void smooth() {
-        for (int pass = 0; pass < kSmoothingPasses; ++pass) {
+        for (int pass = 0; pass < smoothing_passes; ++pass) {
             const std::vector<EdgePoint> before = line_.points;
             const auto at = [&](int i) {
                 const int n = static_cast<int>(before.size());

@@ -5,11 +5,11 @@
 namespace touchline {
 namespace {
 
-constexpr int kSpacingPasses = 2;  // of (1 2 1)/4: a Gaussian of one spacing
+constexpr int spacing_passes = 2;  // of (1 2 1)/4: a Gaussian of one spacing
 
 /// Smooths the inner points binomially.
 void smooth(std::vector<EdgePoint>& line) {
-    for (int pass = 0; pass < kSpacingPasses; ++pass) {
+    for (int pass = 0; pass < spacing_passes; ++pass) {
         cv::Point2d before = line.front().at;
         for (std::size_t i = 1; i + 1 < line.size(); ++i) {
             const cv::Point2d here = line[i].at;
@@ -30,7 +30,7 @@ std::vector<EdgePoint> even_run(const std::vector<EdgePoint>& run, double spacin
 
 /// A ring without a fixed point: sampled from its first point, smoothed all round.
 Chain even_ring(std::vector<EdgePoint> ring, double spacing_px) {
-    constexpr int kOverlap = kSpacingPasses;
+    constexpr int kOverlap = spacing_passes;
     ring.push_back(ring.front());
     const double length = length_of({ring, false});
     const int n = std::max(4, static_cast<int>(std::lround(length / spacing_px)));

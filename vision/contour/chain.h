@@ -101,7 +101,7 @@ using EndId = std::size_t;
 }
 
 /// In the place of an end: there is none.
-inline constexpr EndId kNoEnd = std::numeric_limits<EndId>::max();
+inline constexpr EndId no_end = std::numeric_limits<EndId>::max();
 
 [[nodiscard]] inline const EdgePoint& point_at(const std::vector<Chain>& lines, EndId end) {
     const std::vector<EdgePoint>& points = lines[chain_of(end)].points;

@@ -10,14 +10,14 @@ namespace touchline {
 namespace {
 
 constexpr double kSample_px = 0.5;
-constexpr double kLeastTurn = 35.0 * std::numbers::pi / 180.0;
-constexpr double kGreatestTurn =
+constexpr double least_turn = 35.0 * std::numbers::pi / 180.0;
+constexpr double greatest_turn =
     155.0 * std::numbers::pi / 180.0;    // a sharper turn is the end of a stroke
 constexpr double kLeastCourse_px = 2.5;  // of a course, to fit a line
 constexpr double kCourseSpan_px = 7.0;
 constexpr double kCourseStraight_px = 0.25;  // rms about the fitted line
 // An ideal corner between sides at angle a, blurred by sigma, is rounded by 0.5 sigma / sin(a/2).
-constexpr double kRounding = 0.6;
+constexpr double rounding = 0.6;
 constexpr double kRoundingSlack_px = 1.2;  // noise
 
 using Accepts = std::function<bool(const cv::Point2d&, double)>;
@@ -95,7 +95,7 @@ class EvenRun {
         std::vector<int> apexes;
         for (int i = 0; i < count(); ++i) {
             const double turn = turns[static_cast<std::size_t>(i)];
-            bool is_strongest = turn > kLeastTurn;
+            bool is_strongest = turn > least_turn;
             for (int k = -reach; k <= reach && is_strongest; ++k) {
                 if (has(i + k) && k != 0) {
                     const int j = (i + k + count()) % count();
@@ -176,7 +176,7 @@ class EvenRun {
             skip_px = bent_px(turn);
         }
         const std::optional<cv::Point2d> vertex = crossing(*in, *out);
-        if (turn < kLeastTurn || turn > kGreatestTurn || !vertex) return std::nullopt;
+        if (turn < least_turn || turn > greatest_turn || !vertex) return std::nullopt;
         const Corner corner{apex - std::min(samples_in(skip_px), (2 * room_before) / 5),
                             apex + std::min(samples_in(skip_px), (2 * room_after) / 5), *vertex,
                             turn};
@@ -184,7 +184,7 @@ class EvenRun {
         for (int i = corner.from; i <= corner.to; ++i) {
             rounding_px = std::min(rounding_px, distance(*vertex, sample(i).at));
         }
-        const double explained_px = kRounding * blur_px_ / std::cos(0.5 * turn) + kRoundingSlack_px;
+        const double explained_px = rounding * blur_px_ / std::cos(0.5 * turn) + kRoundingSlack_px;
         return rounding_px <= explained_px ? std::optional(corner) : std::nullopt;
     }
 

@@ -12,13 +12,13 @@ namespace touchline {
 namespace {
 
 constexpr double kDeep = 1.12;  // times the stroke's own depth: deeper ink belongs to two strokes
-constexpr double kDeepSlack_px = 0.8;    // whole pixels: a slanting stroke is now 2, now 2.8 deep
-constexpr double kSpanOverDepth = 12.0;  // of a course, at most: the longer, the surer
+constexpr double kDeepSlack_px = 0.8;     // whole pixels: a slanting stroke is now 2, now 2.8 deep
+constexpr double span_over_depth = 12.0;  // of a course, at most: the longer, the surer
 constexpr double kEndSpan_px = 24.0;
 constexpr double kLeastEnd_px = 3.0;
 constexpr double kStraightEnd_px = 0.7;  // rms about the fitted line
-constexpr double kOwnPart = 0.3;         // of an arm's depths: half the width of its stroke
-constexpr double kLongOverDepth = 6.0;   // shorter arms do not show it
+constexpr double own_part = 0.3;         // of an arm's depths: half the width of its stroke
+constexpr double long_over_depth = 6.0;  // shorter arms do not show it
 
 /// Fits by least squares through the points between from_px and from_px + span_px of arc length.
 std::pair<Ray, double> fitted(const Chain& arm, EndId end, double from_px, double span_px) {
@@ -51,8 +51,8 @@ std::pair<Ray, double> fitted(const Chain& arm, EndId end, double from_px, doubl
     return {{centre + (part.front() - centre).dot(direction) * direction, direction}, rms_px};
 }
 
-constexpr double kHairpinTurn = 145.0 * std::numbers::pi / 180.0;
-constexpr double kHairpinOverDepth = 2.0;
+constexpr double hairpin_turn = 145.0 * std::numbers::pi / 180.0;
+constexpr double hairpin_over_depth = 2.0;
 constexpr double kLeastHairpin_px = 6.0;
 
 /// The points of an arm and the ink at them. In a ring the first comes after the last.
@@ -63,7 +63,7 @@ class Way {
         const double stroke_px = stroke_depth_px(depths_);
         limit_px_ = flowed_depth_px(stroke_px);
         bent_ = static_cast<int>(std::ceil(stroke_px));
-        span_ = static_cast<int>(std::max(kLeastHairpin_px, kHairpinOverDepth * stroke_px));
+        span_ = static_cast<int>(std::max(kLeastHairpin_px, hairpin_over_depth * stroke_px));
     }
 
     /// Returns the middles of deep ink in which the arm turns back, in order.
@@ -105,7 +105,7 @@ class Way {
             is_closed_ ? after - before < count() : before >= 0 && after < count();
         if (!has_both) return false;
         const auto at = [&](int i) { return points_[index(i + count())].at; };
-        return angle_between(at(from) - at(before), at(after) - at(to)) > kHairpinTurn;
+        return angle_between(at(from) - at(before), at(after) - at(to)) > hairpin_turn;
     }
 
     const std::vector<EdgePoint>& points_;
@@ -146,7 +146,7 @@ std::vector<float> depths_of(const Chain& arm, const cv::Mat1f& depth) {
 }
 
 double stroke_depth_px(const std::vector<float>& depths) {
-    return depths.empty() ? 1.0 : std::max(1.0, static_cast<double>(quantile(depths, kOwnPart)));
+    return depths.empty() ? 1.0 : std::max(1.0, static_cast<double>(quantile(depths, own_part)));
 }
 
 double flowed_depth_px(double stroke_depth_px) {
@@ -159,7 +159,7 @@ Courses::Courses(const Skeleton& skeleton, const cv::Mat1f& depth,
     for (std::size_t arm = 0; arm < skeleton.arms.size(); ++arm) {
         depths_.push_back(depths_of(skeleton.arms[arm], depth));
         const double own_px = stroke_depth_px(depths_[arm]);
-        if (length_of(skeleton.arms[arm]) > kLongOverDepth * own_px) own_depth_px_[arm] = own_px;
+        if (length_of(skeleton.arms[arm]) > long_over_depth * own_px) own_depth_px_[arm] = own_px;
     }
     for (EndId end = 0; end < 2 * skeleton.arms.size(); ++end) courses_.push_back(course_at(end));
 }
@@ -188,7 +188,7 @@ std::optional<Course> Courses::course_at(EndId end) const {
     const double length_px = length_of(arm);
     const double from_px = flowed_px(end);
     const double room_px = length_px - from_px - flowed_px(end ^ 1U);
-    double span_px = std::min(room_px, kSpanOverDepth * depth_px(end) + kEndSpan_px);
+    double span_px = std::min(room_px, span_over_depth * depth_px(end) + kEndSpan_px);
     while (span_px >= kLeastEnd_px) {
         const auto [ray, rms_px] = fitted(arm, end, from_px, span_px);
         if (rms_px <= kStraightEnd_px) return Course{ray, from_px};

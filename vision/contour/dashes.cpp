@@ -16,19 +16,19 @@ namespace {
 constexpr double kLongestDash_mm = 7.0;
 constexpr double kWidestDot_mm = 3.0;
 constexpr double kWidestGap_mm = 4.2;
-constexpr double kMostBend = 60.0 * std::numbers::pi / 180.0;  // round the corner of a box
-constexpr double kMostTurnAtDot = 90.0 * std::numbers::pi / 180.0;
-constexpr double kMostTurnAtTip = 150.0 * std::numbers::pi / 180.0;
+constexpr double most_bend = 60.0 * std::numbers::pi / 180.0;  // round the corner of a box
+constexpr double most_turn_at_dot = 90.0 * std::numbers::pi / 180.0;
+constexpr double most_turn_at_tip = 150.0 * std::numbers::pi / 180.0;
 constexpr double kCorner = 40.0 * std::numbers::pi / 180.0;  // a turn of less is a curve's
-constexpr double kSameCourse = 0.03;  // the square of the sine between courses: they meet nowhere
-constexpr double kDashOverWidth = 1.4;
-constexpr std::size_t kLeastDashes = 3;
-constexpr std::size_t kLeastDots = 5;
+constexpr double same_course = 0.03;  // the square of the sine between courses: they meet nowhere
+constexpr double dash_over_width = 1.4;
+constexpr std::size_t least_dashes = 3;
+constexpr std::size_t least_dots = 5;
 constexpr double kLike = 0.35;             // of the middle length or gap: alike
-constexpr double kMostAlike = 0.65;        // of the pieces: those at ends and corners are cut short
+constexpr double most_alike = 0.65;        // of the pieces: those at ends and corners are cut short
 constexpr double kField = 1.6;             // of the second nearest dot: so near are many others
-constexpr std::size_t kMostAtTip = 4;      // so near
-constexpr std::size_t kMostPieces = 2000;  // more are grain, or a tone that is printed in dots
+constexpr std::size_t most_at_tip = 4;     // so near
+constexpr std::size_t most_pieces = 2000;  // more are grain, or a tone that is printed in dots
 
 /// A dash or a dot. Its two ends are EndIds of its place in the list of pieces; a dot's ends point
 /// nowhere.
@@ -53,7 +53,7 @@ std::optional<DashOrDot> piece_of_ring(const Chain& line, std::size_t number, do
     if (short_px > kWidestDot_mm * mm_px || long_px > kLongestDash_mm * mm_px) return std::nullopt;
     const double strength = line.points.front().strength;
     const cv::Point2d middle(box.center);
-    const bool is_dot = long_px < kDashOverWidth * short_px;
+    const bool is_dot = long_px < dash_over_width * short_px;
     if (is_dot) return DashOrDot{number, {{middle, strength, false}}, long_px, long_px, true};
     const double turned =
         (static_cast<double>(box.angle) + (size.width >= size.height ? 0.0 : 90.0)) *
@@ -110,7 +110,7 @@ class Joiner {
         for (const bool from_ends : {true, false}) {
             for (std::size_t number = 0; number < pieces_.size(); ++number) {
                 const bool is_end =
-                    to_[front_of(number)] == kNoEnd || to_[back_of(number)] == kNoEnd;
+                    to_[front_of(number)] == no_end || to_[back_of(number)] == no_end;
                 if (is_walked[number] || is_end != from_ends) continue;
                 const std::vector<EndId> way = walked(number, is_walked);
                 if (is_broken_line(way)) {
@@ -167,7 +167,7 @@ class Joiner {
         const Ray from_a{place(a), direction(a)};
         const Ray from_b{place(b), direction(b)};
         if (angle_between(from_a.direction, -from_b.direction) < kCorner) return straight;
-        const auto corner = crossing_of({from_a, from_b}, kSameCourse);
+        const auto corner = crossing_of({from_a, from_b}, same_course);
         if (!corner) return straight;
         const double ahead_a = (*corner - from_a.from).dot(from_a.direction);
         const double ahead_b = (*corner - from_b.from).dot(from_b.direction);
@@ -215,8 +215,8 @@ class Joiner {
             }
             std::ranges::sort(apart);
             is_amid[i] =
-                apart.size() > kMostAtTip && apart[kMostAtTip].first < kField * apart[1].first;
-            for (std::size_t k = 0; k < std::min(kMostAtTip, apart.size()); ++k) {
+                apart.size() > most_at_tip && apart[most_at_tip].first < kField * apart[1].first;
+            for (std::size_t k = 0; k < std::min(most_at_tip, apart.size()); ++k) {
                 nearest[i].push_back(apart[k].second);
             }
         }
@@ -229,16 +229,16 @@ class Joiner {
     }
 
     void link() {
-        to_.assign(2 * pieces_.size(), kNoEnd);
-        if (pieces_.size() > kMostPieces) return;
+        to_.assign(2 * pieces_.size(), no_end);
+        if (pieces_.size() > most_pieces) return;
         find_fields();
         for (EndId end = 0; end < 2 * pieces_.size(); ++end) {
             directions_.push_back(straight_direction(end));
         }
-        link_where(kWidestGap_mm * mm_px_, kMostTurnAtDot, [](EndId) { return true; });
+        link_where(kWidestGap_mm * mm_px_, most_turn_at_dot, [](EndId) { return true; });
         // Continues what was begun round a sharp tip of dots, or past a missing dash.
-        link_where(usual_pitch_px(), kMostTurnAtTip,
-                   [&](EndId end) { return to_[end] != kNoEnd || to_[end ^ 1U] != kNoEnd; });
+        link_where(usual_pitch_px(), most_turn_at_tip,
+                   [&](EndId end) { return to_[end] != no_end || to_[end ^ 1U] != no_end; });
     }
 
     template <class Counts>
@@ -255,7 +255,7 @@ class Joiner {
         for (const Link& link : links) {
             const EndId a = free_end(link.a);
             const EndId b = free_end(link.b);
-            const bool is_taken = to_[a] != kNoEnd || to_[b] != kNoEnd;
+            const bool is_taken = to_[a] != no_end || to_[b] != no_end;
             if (!is_taken && leads_on(a, b, most_turn) && leads_on(b, a, most_turn) &&
                 !are_linked(a, b)) {
                 to_[a] = b;
@@ -269,7 +269,7 @@ class Joiner {
     [[nodiscard]] double usual_pitch_px() const {
         std::vector<double> pitches;
         for (EndId end = 0; end < to_.size(); ++end) {
-            if (to_[end] != kNoEnd && end < to_[end]) {
+            if (to_[end] != no_end && end < to_[end]) {
                 pitches.push_back(2.0 * gap_between(end, to_[end]).length_px +
                                   piece(end).length_px);
             }
@@ -281,9 +281,9 @@ class Joiner {
 
     /// Short dashes may look like dots; then they are as long as those that do not.
     [[nodiscard]] static bool are_of_a_kind(const DashOrDot& one, const DashOrDot& other) {
-        constexpr double kAsLong = 0.2;
+        constexpr double as_long = 0.2;
         return one.is_dot == other.is_dot || std::abs(one.length_px - other.length_px) <=
-                                                 kAsLong * std::max(one.length_px, other.length_px);
+                                                 as_long * std::max(one.length_px, other.length_px);
     }
 
     void consider(EndId a, EndId b, double widest_gap_px, std::vector<Link>& links) const {
@@ -300,14 +300,14 @@ class Joiner {
         const cv::Point2d way = place(b) - place(a);
         const double bend_a = bend(a, way);
         const double bend_b = bend(b, -way);
-        if (gap.corner || std::max(bend_a, bend_b) <= kMostBend) {
+        if (gap.corner || std::max(bend_a, bend_b) <= most_bend) {
             links.push_back({a, b, std::max(gap.length_px, 0.1) * (1.0 + 2.0 * (bend_a + bend_b))});
         }
     }
 
     /// Returns a dot's end that is not taken yet.
     [[nodiscard]] EndId free_end(EndId end) const {
-        return piece(end).is_dot && to_[end] != kNoEnd ? end ^ 1U : end;
+        return piece(end).is_dot && to_[end] != no_end ? end ^ 1U : end;
     }
 
     [[nodiscard]] bool are_linked(EndId a, EndId b) const {
@@ -316,7 +316,7 @@ class Joiner {
 
     /// Past a dot the way goes on, and does not turn back.
     [[nodiscard]] bool leads_on(EndId from, EndId to, double most_turn) const {
-        if (!piece(from).is_dot || to_[from ^ 1U] == kNoEnd) return true;
+        if (!piece(from).is_dot || to_[from ^ 1U] == no_end) return true;
         const cv::Point2d before = place(from) - place(to_[from ^ 1U]);
         return angle_between(before, place(to) - place(from)) < most_turn;
     }
@@ -324,8 +324,8 @@ class Joiner {
     /// Returns the ends through which the pieces are entered, from an end, or round.
     [[nodiscard]] std::vector<EndId> walked(std::size_t piece, std::vector<bool>& is_walked) const {
         std::vector<EndId> way;
-        EndId in = to_[front_of(piece)] == kNoEnd ? front_of(piece) : back_of(piece);
-        while (in != kNoEnd && !is_walked[chain_of(in)]) {
+        EndId in = to_[front_of(piece)] == no_end ? front_of(piece) : back_of(piece);
+        while (in != no_end && !is_walked[chain_of(in)]) {
             is_walked[chain_of(in)] = true;
             way.push_back(in);
             in = to_[in ^ 1U];
@@ -339,7 +339,7 @@ class Joiner {
         const auto like = std::ranges::count_if(values, [&](double value) {
             return std::abs(value - usual) <= kLike * std::abs(usual) + 1.0;
         });
-        return static_cast<double>(like) >= kMostAlike * static_cast<double>(values.size());
+        return static_cast<double>(like) >= most_alike * static_cast<double>(values.size());
     }
 
     [[nodiscard]] bool are_dots(const std::vector<EndId>& way) const {
@@ -348,7 +348,7 @@ class Joiner {
     }
 
     [[nodiscard]] bool is_broken_line(const std::vector<EndId>& way) const {
-        if (way.empty() || way.size() < (are_dots(way) ? kLeastDots : kLeastDashes)) return false;
+        if (way.empty() || way.size() < (are_dots(way) ? least_dots : least_dashes)) return false;
         std::vector<double> lengths;
         std::vector<double> gaps;
         for (std::size_t i = 0; i < way.size(); ++i) {

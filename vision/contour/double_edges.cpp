@@ -10,13 +10,13 @@
 namespace touchline {
 namespace {
 
-constexpr double kMostOfLine = 0.7;  // for the line to be a stroke of one width
-constexpr double kLeastCover = 0.7;  // of the shorter line, by points asked
-constexpr double kOpposite = 0.866;  // cosine of 30 degrees
-constexpr double kAcross = 0.819;    // cosine of 35 degrees
-constexpr double kLeastLine = 2.0;   // length over width: less is a blob, not a stripe
-constexpr double kLeastRing = 3.0;   // half the way round over width; a disc has 1.6
-constexpr std::size_t kEvery = 3;    // points of about 0.7 px: pairing needs no more of them
+constexpr double most_of_line = 0.7;  // for the line to be a stroke of one width
+constexpr double least_cover = 0.7;   // of the shorter line, by points asked
+constexpr double kOpposite = 0.866;   // cosine of 30 degrees
+constexpr double kAcross = 0.819;     // cosine of 35 degrees
+constexpr double least_line = 2.0;    // length over width: less is a blob, not a stripe
+constexpr double least_ring = 3.0;    // half the way round over width; a disc has 1.6
+constexpr std::size_t every = 3;      // points of about 0.7 px: pairing needs no more of them
 
 /// What lies between two facing edges.
 enum class Stripe { dark, light };
@@ -79,7 +79,7 @@ struct ThinRing {
 };
 
 bool is_most(std::size_t part, std::size_t whole) {
-    return static_cast<double>(part) > kLeastCover * static_cast<double>(whole);
+    return static_cast<double>(part) > least_cover * static_cast<double>(whole);
 }
 
 struct Faced {
@@ -96,7 +96,7 @@ struct Tip {
 
 Tip best_tip(const std::vector<std::pair<std::size_t, std::size_t>>& across, std::size_t n) {
     Tip best;
-    for (std::size_t tip = 0; tip < n / 2; tip += kEvery) {
+    for (std::size_t tip = 0; tip < n / 2; tip += every) {
         const auto is_first_half = [&](std::size_t i) { return (i + n - tip) % n < n / 2; };
         const auto parted =
             static_cast<std::size_t>(std::ranges::count_if(across, [&](const auto& p) {
@@ -117,7 +117,7 @@ std::vector<FacingPair> facing_pairs(const std::vector<Chain>& chains, cv::Size 
     for (std::size_t c = 0; c < chains.size(); ++c) {
         std::map<std::pair<std::size_t, Stripe>, Faced> others;
         std::size_t asked = 0;
-        for (std::size_t i = 0; i < chains[c].points.size(); i += kEvery, ++asked) {
+        for (std::size_t i = 0; i < chains[c].points.size(); i += every, ++asked) {
             const auto faced = facing(chains[c].points[i], chains, grid, widest_px,
                                       [c](const PointRef& ref) { return ref.chain != c; });
             if (faced) {
@@ -130,7 +130,7 @@ std::vector<FacingPair> facing_pairs(const std::vector<Chain>& chains, cv::Size 
             const auto rank = [&](std::size_t i) { return std::pair(lengths_px[i], i); };
             const double width_px = faced.widths_px / static_cast<double>(faced.times);
             if (is_most(faced.times, asked) && rank(c) < rank(other.first) &&
-                lengths_px[c] > kLeastLine * width_px) {
+                lengths_px[c] > least_line * width_px) {
                 pairs.push_back({c, other.first, other.second, width_px});
             }
         }
@@ -148,7 +148,7 @@ std::optional<ThinRing> thin_ring(const std::vector<Chain>& chains, std::size_t 
     std::vector<std::pair<std::size_t, std::size_t>> across;
     std::size_t asked = 0;
     std::map<Stripe, Faced> stripes;
-    for (std::size_t i = 0; i < n; i += kEvery, ++asked) {
+    for (std::size_t i = 0; i < n; i += every, ++asked) {
         const auto faced = facing(points[i], chains, grid, widest_px,
                                   [ring](const PointRef& ref) { return ref.chain == ring; });
         if (faced) {
@@ -159,7 +159,7 @@ std::optional<ThinRing> thin_ring(const std::vector<Chain>& chains, std::size_t 
     }
     for (const auto& [stripe, faced] : stripes) {
         const double width_px = faced.widths_px / static_cast<double>(faced.times);
-        const bool is_long = 0.5 * length_of(chains[ring]) > kLeastRing * width_px;
+        const bool is_long = 0.5 * length_of(chains[ring]) > least_ring * width_px;
         if (is_most(faced.times, asked) && is_long) {
             const auto [tip, parted] = best_tip(across, n);
             return is_most(parted, asked) ? std::optional(ThinRing{tip, stripe, width_px})
@@ -270,7 +270,7 @@ class Merger {
         append(line.points, middle.points);
         append(line.points, run_on(part_of(side.points, last.on_side + 1, side.points.size()),
                                    others(last.on_opposite + 1, opposite.points.size()), false));
-        if (length_of(middle) > kMostOfLine * length_of(line)) line.width_px = width_px;
+        if (length_of(middle) > most_of_line * length_of(line)) line.width_px = width_px;
         return line;
     }
 

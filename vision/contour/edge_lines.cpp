@@ -193,23 +193,23 @@ class LineTracer {
 
 constexpr double kFinest_px = 1.0;  // below it, the pixel grid shows in the slopes
 constexpr double kPhoto_px = 2.5;   // best of 1, 1.4, 2, 2.5, 2.8, 4 on photos
-constexpr double kDrawing = 0.20;   // at most this part of the picture changes: a drawing
+constexpr double drawing = 0.20;    // at most this part of the picture changes: a drawing
 constexpr double kPhoto = 0.40;     // at least this part: a photo
-constexpr double kRoundingGradient =
+constexpr double rounding_gradient =
     0.3;  // gradient that 8-bit rounding and compression leave, per pixel
-constexpr double kSignificance = 6.0;       // x gradient noise: 2e-8 of the pixels of pure noise
-constexpr double kMedianOverSigma = 1.177;  // of a Rayleigh distribution: the gradient of noise
-constexpr double kMostlyNoise = 2.5;  // measured over predicted gradient noise; photos 5 and more
-constexpr double kHighOverQuantile = 3.0;  // binds in drawings, which have only strong edges
-constexpr double kGrainOverQuantile = 2.0;
-constexpr double kHighOverStrongest = 0.45;  // F .613 on photos; .609 at 0.5, .606 at 0.6
-constexpr double kLowOverHigh = 0.4;
+constexpr double significance = 6.0;         // x gradient noise: 2e-8 of the pixels of pure noise
+constexpr double median_over_sigma = 1.177;  // of a Rayleigh distribution: the gradient of noise
+constexpr double mostly_noise = 2.5;  // measured over predicted gradient noise; photos 5 and more
+constexpr double high_over_quantile = 3.0;  // binds in drawings, which have only strong edges
+constexpr double grain_over_quantile = 2.0;
+constexpr double high_over_strongest = 0.45;  // F .613 on photos; .609 at 0.5, .606 at 0.6
+constexpr double low_over_high = 0.4;
 
 /// Returns the share of the pixels whose lightness differs across them by more than noise and
 /// rounding explain. Unsmoothed, because close lines of a drawing leave flat pixels between them,
 /// and the texture of a photo does not.
 double changing_part(const LabPicture& lab, double noise) {
-    const double limit = std::max(2.0 * kRoundingGradient, 3.0 * noise / std::numbers::sqrt2);
+    const double limit = std::max(2.0 * rounding_gradient, 3.0 * noise / std::numbers::sqrt2);
     const auto limit_squared = static_cast<float>(4.0 * limit * limit);
     std::size_t changing = 0;
     for (int y = 1; y + 1 < lab.rows; ++y) {
@@ -227,7 +227,7 @@ double quantile_of(const GradientField& field, double fraction) {
 }
 
 Hysteresis hysteresis(double high) {
-    return {kLowOverHigh * high, high};
+    return {low_over_high * high, high};
 }
 
 constexpr std::size_t kReach = 28;  // points: 20 pixels at 1.4 crossings of the grid a pixel
@@ -244,26 +244,26 @@ double smoothing_for(const LabPicture& lab, double noise) {
     const double fine_px = std::clamp(kFinest_px * std::sqrt(gradient_noise(noise, kFinest_px)),
                                       kFinest_px, kPhoto_px);
     const double part = changing_part(lab, noise);
-    const double photo = std::clamp((part - kDrawing) / (kPhoto - kDrawing), 0.0, 1.0);
+    const double photo = std::clamp((part - drawing) / (kPhoto - drawing), 0.0, 1.0);
     return fine_px + photo * (kPhoto_px - fine_px);
 }
 
 Hysteresis thresholds_for(const GradientField& field, double noise, double sigma_px) {
     const double median = quantile_of(field, 0.5);
     const double predicted = gradient_noise(noise, sigma_px);
-    const double measured = median / kMedianOverSigma;
+    const double measured = median / median_over_sigma;
     // If most of the gradient is noise, the gradient itself measures it best.
     const double floor =
-        kSignificance *
-        (measured < kMostlyNoise * predicted ? std::max(predicted, measured) : predicted);
-    const double crowd = std::min(kHighOverQuantile * quantile_of(field, 0.75),
-                                  kHighOverStrongest * quantile_of(field, 0.98));
-    return hysteresis(std::max({crowd, floor, 4.0 * kRoundingGradient}));
+        significance *
+        (measured < mostly_noise * predicted ? std::max(predicted, measured) : predicted);
+    const double crowd = std::min(high_over_quantile * quantile_of(field, 0.75),
+                                  high_over_strongest * quantile_of(field, 0.98));
+    return hysteresis(std::max({crowd, floor, 4.0 * rounding_gradient}));
 }
 
 Hysteresis grain_thresholds(const GradientField& field) {
     return hysteresis(
-        std::max(kGrainOverQuantile * quantile_of(field, 0.75), 4.0 * kRoundingGradient));
+        std::max(grain_over_quantile * quantile_of(field, 0.75), 4.0 * rounding_gradient));
 }
 
 cv::Mat edge_strength(const std::vector<Chain>& lines, cv::Size size, double high) {

@@ -11,15 +11,15 @@
 namespace touchline {
 namespace {
 
-constexpr float kFlatStep = 0.3F;       // share of the two colours' difference: less is no step
-constexpr float kLeastBeside = 0.3F;    // share of the change at the border, on either side of it
-constexpr float kBothBeside = 1.0F;     // on both together
+constexpr float flat_step = 0.3F;       // share of the two colours' difference: less is no step
+constexpr float least_beside = 0.3F;    // share of the change at the border, on either side of it
+constexpr float both_beside = 1.0F;     // on both together
 constexpr double kTrue = 60.0;          // grey levels off the region's colour
-constexpr double kPlateauSpread = 4.0;  // grey levels off the region's colour, for a plateau
-constexpr double kMostlyPlateau = 0.6;  // of its pixels; in a band of a gradient it is half
-constexpr double kMostlySoft = 0.75;    // of a border
+constexpr double plateau_spread = 4.0;  // grey levels off the region's colour, for a plateau
+constexpr double mostly_plateau = 0.6;  // of its pixels; in a band of a gradient it is half
+constexpr double mostly_soft = 0.75;    // of a border
 constexpr double kWidestBlur_px = 8.0;  // a wider band between two plateaus is not a blurred step
-constexpr std::ptrdiff_t kMostRegions = 1500;  // more are grain: nothing but specks
+constexpr std::ptrdiff_t most_regions = 1500;  // more are grain: nothing but specks
 constexpr int kReach_px = 4;
 constexpr int kNearby_px = 9;
 constexpr int kLeastStretch_px = 30;
@@ -38,7 +38,7 @@ struct Contact {
     int soft = 0;
     int steps = 0;
 
-    [[nodiscard]] bool is_soft() const { return soft >= kMostlySoft * pairs; }
+    [[nodiscard]] bool is_soft() const { return soft >= mostly_soft * pairs; }
 
     [[nodiscard]] bool is_step() const { return 2 * steps > pairs; }
 };
@@ -78,7 +78,7 @@ class Fading {
     cv::Mat1b join() {
         const auto regions = std::ranges::count_if(
             runs_, [&](const Run& run) { return &run == &runs_[run.region]; });
-        if (regions > kMostRegions) return cv::Mat1b(map_.size(), uchar{0});
+        if (regions > most_regions) return cv::Mat1b(map_.size(), uchar{0});
         find_plateaus();
         find_pairs();
         for (const Pair& pair : pairs_) {
@@ -103,11 +103,11 @@ class Fading {
             const cv::Vec3f& colour = palette_[map_(run.row, run.from)];
             pixels_[run.region] += run.to - run.from;
             for (int x = run.from; x < run.to; ++x) {
-                even[run.region] += cv::norm(lab_(run.row, x) - colour) < kPlateauSpread ? 1 : 0;
+                even[run.region] += cv::norm(lab_(run.row, x) - colour) < plateau_spread ? 1 : 0;
             }
         }
         for (std::size_t i = 0; i < runs_.size(); ++i) {
-            is_plateau_[i] = pixels_[i] > 0 && even[i] >= kMostlyPlateau * pixels_[i];
+            is_plateau_[i] = pixels_[i] > 0 && even[i] >= mostly_plateau * pixels_[i];
         }
     }
 
@@ -179,7 +179,7 @@ class Fading {
         const float step = static_cast<float>(cv::norm(across));
         const cv::Vec3f colours = palette_[map_(p + along)] - palette_[map_(p)];
         const auto at_once = static_cast<float>(cv::norm(lab_(p + along) - lab_(p)));
-        if (std::max(step, at_once) < kFlatStep * static_cast<float>(cv::norm(colours))) {
+        if (std::max(step, at_once) < flat_step * static_cast<float>(cv::norm(colours))) {
             return true;
         }
         if (step <= at_once) {  // a line of a pixel or two: beyond it the colour is as before it
@@ -187,7 +187,7 @@ class Fading {
         }
         const float on = (lab_(p + (kReach_px + 1) * along) - after).dot(across) / step;
         const float back = (before - lab_(p - (kReach_px - 1) * along)).dot(across) / step;
-        return std::min(on, back) >= kLeastBeside * step && on + back >= kBothBeside * step;
+        return std::min(on, back) >= least_beside * step && on + back >= both_beside * step;
     }
 
     /// Returns whether half the difference of the two colours lies near the border.
@@ -271,7 +271,7 @@ class Fading {
         std::map<std::size_t, uchar> colour_of;
         for (const auto& [part, whole] : part_of_) {
             const std::size_t region = first_of(whole);
-            if (colour_of.contains(region) || palette_.size() >= kMostColours) continue;
+            if (colour_of.contains(region) || palette_.size() >= most_colours) continue;
             if (region == ground) {
                 colour_of[region] = commonest_colour(region);
                 continue;
@@ -288,7 +288,7 @@ class Fading {
     }
 
     [[nodiscard]] uchar commonest_colour(std::size_t region) const {
-        std::vector<int> counts(kMostColours, 0);
+        std::vector<int> counts(most_colours, 0);
         for (const Run& run : runs_) {
             if (first_of(run.region) == region) {
                 counts[map_(run.row, run.from)] += run.to - run.from;

@@ -13,15 +13,15 @@
 namespace touchline {
 namespace {
 
-constexpr int kAround_px = 9;          // where a mark's own darkest point is looked for
-constexpr double kOfItsDarkest = 0.4;  // half is lost if a hair lies between two pixels
-constexpr int kMixed_px = 3;           // from a border: mixtures of both colours
-constexpr double kMostUneven = 0.2;    // of an area's pixels; with more it is not a flat colour
+constexpr int kAround_px = 9;           // where a mark's own darkest point is looked for
+constexpr double of_its_darkest = 0.4;  // half is lost if a hair lies between two pixels
+constexpr int kMixed_px = 3;            // from a border: mixtures of both colours
+constexpr double most_uneven = 0.2;     // of an area's pixels; with more it is not a flat colour
 constexpr int kJustOutside_px = 2;
-constexpr double kFadedOut = 0.4;     // of the contrast within: this little just outside of a mark
-constexpr double kMostlyCrisp = 0.6;  // of what is just outside
-constexpr int kLeastPixels = 8;       // fewer are a speck
-constexpr double kLongerThanDash = 2.3;  // of the greatest width: longer than a dash
+constexpr double faded_out = 0.4;     // of the contrast within: this little just outside of a mark
+constexpr double mostly_crisp = 0.6;  // of what is just outside
+constexpr int least_pixels = 8;       // fewer are a speck
+constexpr double longer_than_dash = 2.3;  // of the greatest width: longer than a dash
 
 cv::Mat square(int half_px) {
     return cv::Mat::ones(2 * half_px + 1, 2 * half_px + 1, CV_8U);
@@ -48,8 +48,8 @@ cv::Mat1b near_borders(const cv::Mat1b& map, int within_px) {
 
 /// Returns the pixels of areas that have a single colour, except for a few pixels.
 cv::Mat1b on_even_areas(const cv::Mat1b& map, const cv::Mat1b& differs) {
-    std::array<int, kMostColours> all{};
-    std::array<int, kMostColours> uneven{};
+    std::array<int, most_colours> all{};
+    std::array<int, most_colours> uneven{};
     for (int y = 0; y < map.rows; ++y)
         for (int x = 0; x < map.cols; ++x) {
             ++all[map(y, x)];
@@ -57,7 +57,7 @@ cv::Mat1b on_even_areas(const cv::Mat1b& map, const cv::Mat1b& differs) {
         }
     cv::Mat1b even(map.size());
     std::ranges::transform(map, even.begin(), [&](uchar colour) {
-        return static_cast<double>(uneven[colour]) <= kMostUneven * all[colour] ? uchar{255}
+        return static_cast<double>(uneven[colour]) <= most_uneven * all[colour] ? uchar{255}
                                                                                 : uchar{0};
     });
     return even;
@@ -74,9 +74,9 @@ struct PieceOfInk {
     int crisp = 0;   // of these, where the picture looks as if the piece were not there
 
     [[nodiscard]] bool is_mark(double greatest_width_px) const {
-        return pixels >= kLeastPixels &&
+        return pixels >= least_pixels &&
                2.0F * deepest_px <= static_cast<float>(greatest_width_px) &&
-               crisp >= kMostlyCrisp * beside;
+               crisp >= mostly_crisp * beside;
     }
 
     [[nodiscard]] double extent_px() const { return cv::norm(high - low); }
@@ -102,7 +102,7 @@ class Finder {
                 const PieceOfInk& piece = pieces_[static_cast<std::size_t>(number)];
                 if (number == 0 || !piece.is_mark(greatest_width_px_)) continue;
                 const bool is_line =
-                    piece.has_stroke || piece.extent_px() >= kLongerThanDash * greatest_width_px_;
+                    piece.has_stroke || piece.extent_px() >= longer_than_dash * greatest_width_px_;
                 (is_line ? marks.lines : marks.bits)(y, x) = 255;
             }
         return marks;
@@ -141,7 +141,7 @@ class Finder {
                 ++piece.beside;
                 const auto within = static_cast<double>(strongest_around(y, x));
                 const bool is_crisp =
-                    mixed(y, x) == 0 && static_cast<double>(contrast_(y, x)) <= kFadedOut * within;
+                    mixed(y, x) == 0 && static_cast<double>(contrast_(y, x)) <= faded_out * within;
                 piece.crisp += is_crisp ? 1 : 0;
             }
     }
@@ -159,13 +159,13 @@ FineMarks fine_marks(const LabPicture& lab, const Areas& areas, const cv::Mat1b&
                      double noise, double smoothing_px, double greatest_width_px) {
     // A picture that no camera saw has no dirt.
     const double floor = least_contrast(
-        noise, noise < kNoGrain ? 0.0 : strongest_contrast(areas.palette, ground_of(areas.map)));
+        noise, noise < no_grain ? 0.0 : strongest_contrast(areas.palette, ground_of(areas.map)));
     cv::Mat1f contrast = contrast_to(lab, areas);
     const cv::Mat1b mixed = near_borders(areas.map, kMixed_px + cvCeil(2.0 * smoothing_px));
     contrast.setTo(0.0, mixed);
     cv::Mat1f around;
     cv::dilate(contrast, around, cv::Mat::ones(kAround_px, kAround_px, CV_8U));
-    cv::Mat1b mask = cv::Mat(contrast >= cv::max(kOfItsDarkest * around, floor));
+    cv::Mat1b mask = cv::Mat(contrast >= cv::max(of_its_darkest * around, floor));
     mask &= on_even_areas(areas.map, cv::Mat(mask & ~strokes));
     cv::Mat known;  // with its soft edge
     cv::dilate(strokes, known, square(1));

@@ -10,11 +10,11 @@
 namespace touchline {
 namespace {
 
-constexpr double kNoiseQuantile =
+constexpr double noise_quantile =
     0.25;  // low: in a dense pattern most second differences are edges
-constexpr double kQuantileToSigma = 1.0 / 0.31864;  // of a normal distribution
-constexpr double kLaplacianGain = 6.0;              // root of the kernel's summed squares: 36
-constexpr float kGreyLevelsPerL = 2.55F;            // L runs 0..100
+constexpr double quantile_to_sigma = 1.0 / 0.31864;  // of a normal distribution
+constexpr double laplacian_gain = 6.0;               // root of the kernel's summed squares: 36
+constexpr float grey_levels_per_l = 2.55F;           // L runs 0..100
 
 /// Converts sRGB to CIE Lab (D65) for 8-bit input. OpenCV's own conversion takes 0.2 s of every
 /// process to build its tables.
@@ -27,7 +27,7 @@ class LabTables {
                 static_cast<float>(v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4));
         }
         for (std::size_t i = 0; i < root_.size(); ++i) {
-            const double t = static_cast<double>(i) / kRootSteps;
+            const double t = static_cast<double>(i) / root_steps;
             root_[i] = static_cast<float>(
                 t > 216.0 / 24389.0 ? std::cbrt(t) : (24389.0 / 27.0 * t + 16.0) / 116.0);
         }
@@ -40,22 +40,22 @@ class LabTables {
         const float fx = root((0.412453F * r + 0.357580F * g + 0.180423F * b) / 0.950456F);
         const float fy = root(0.212671F * r + 0.715160F * g + 0.072169F * b);
         const float fz = root((0.019334F * r + 0.119193F * g + 0.950227F * b) / 1.088754F);
-        return {kGreyLevelsPerL * (116.0F * fy - 16.0F), 500.0F * (fx - fy), 200.0F * (fy - fz)};
+        return {grey_levels_per_l * (116.0F * fy - 16.0F), 500.0F * (fx - fy), 200.0F * (fy - fz)};
     }
 
   private:
-    static constexpr int kRootSteps = 4096;
+    static constexpr int root_steps = 4096;
 
     /// Interpolates linearly in the table, t in 0..1.
     float root(float t) const {
-        const float at = std::clamp(t, 0.0F, 1.0F) * kRootSteps;
-        const auto i = std::min<std::size_t>(kRootSteps - 1, static_cast<std::size_t>(at));
+        const float at = std::clamp(t, 0.0F, 1.0F) * root_steps;
+        const auto i = std::min<std::size_t>(root_steps - 1, static_cast<std::size_t>(at));
         const float part = at - static_cast<float>(i);
         return root_[i] + part * (root_[i + 1] - root_[i]);
     }
 
     std::array<float, 256> linear_{};
-    std::array<float, kRootSteps + 1> root_{};
+    std::array<float, root_steps + 1> root_{};
 };
 
 }  // namespace
@@ -98,7 +98,7 @@ double noise_of(const LabPicture& lab) {
         cv::extractChannel(second, one, channel);
         one = cv::abs(one);
         const double sigma =
-            kQuantileToSigma * static_cast<double>(quantile(one, kNoiseQuantile)) / kLaplacianGain;
+            quantile_to_sigma * static_cast<double>(quantile(one, noise_quantile)) / laplacian_gain;
         variance += sigma * sigma;
     }
     return std::sqrt(variance);

@@ -17,7 +17,7 @@ using LabPicture = cv::Mat3f;
 
 /// The weight at which a difference of colour counts as much as one of lightness that looks as
 /// large. At 1, colour counts less, and so do JPEG's colour errors.
-inline constexpr float kFullColour = 2.55F;
+inline constexpr float full_colour = 2.55F;
 
 /// Returns the picture reduced to at most `max_pixels` by area averaging (never enlarged), 8-bit,
 /// BGR or grey as it came.
@@ -31,7 +31,7 @@ inline constexpr float kFullColour = 2.55F;
 [[nodiscard]] double noise_of(const LabPicture& lab);
 
 /// Below this noise, the picture did not come from a camera.
-inline constexpr double kNoGrain = 0.5;
+inline constexpr double no_grain = 0.5;
 
 /// Returns what white noise of this size leaves in the gradient after Gaussian smoothing (one
 /// component, standard deviation): noise / (sqrt(8 pi) sigma^2).

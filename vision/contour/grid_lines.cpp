@@ -12,16 +12,16 @@
 namespace touchline {
 namespace {
 
-constexpr double kLeastPale = 0.0005;  // of the picture: less is no grid
+constexpr double least_pale = 0.0005;  // of the picture: less is no grid
 constexpr double kStraight = 0.03;     // of the picture's diagonal: length that identifies a line
 constexpr double kMostTilt_deg = 3.0;
 constexpr double kTiltStep_deg = 0.25;
-constexpr double kLongEnough = 0.25;  // of the longest line; others may be broken by marks on them
-constexpr std::size_t kLeastLines = 3;
-constexpr double kGapSpread = 0.2;       // of the spacing
-constexpr double kMostlyMultiple = 0.7;  // of the gaps
+constexpr double long_enough = 0.25;  // of the longest line; others may be broken by marks on them
+constexpr std::size_t least_lines = 3;
+constexpr double gap_spread = 0.2;       // of the spacing
+constexpr double mostly_multiple = 0.7;  // of the gaps
 constexpr double kOnSpacing = 0.05;      // of the spacing: how near to it a broken line must lie
-constexpr double kMostlyGrid = 0.55;     // of everything that is as pale
+constexpr double mostly_grid = 0.55;     // of everything that is as pale
 constexpr int kEdge_px = 2;              // beside a line, where remains of it may be
 
 /// Places across lines of one direction, tilted by an angle: x cos - y sin, for example.
@@ -113,8 +113,8 @@ bool is_multiple(double gap, double spacing, double tolerance) {
 bool are_even(const std::vector<double>& gaps) {
     const double least = *std::ranges::min_element(gaps);
     const auto even = std::ranges::count_if(
-        gaps, [&](double gap) { return is_multiple(gap, least, kGapSpread); });
-    return static_cast<double>(even) >= kMostlyMultiple * static_cast<double>(gaps.size());
+        gaps, [&](double gap) { return is_multiple(gap, least, gap_spread); });
+    return static_cast<double>(even) >= mostly_multiple * static_cast<double>(gaps.size());
 }
 
 /// Returns the straight pieces that lie as far from the nearest line as lines do from each other,
@@ -145,9 +145,9 @@ cv::Mat1b on_even_lines(const cv::Mat1b& pale, bool is_level, double greatest_wi
     if (points.empty()) return found;
     const Bundle bundle = best_tilted(points, is_level, pale.size());
     const Counts counts(points, bundle, pale.size());
-    std::vector<Band> bands = counts.bands(kLongEnough * counts.most());
+    std::vector<Band> bands = counts.bands(long_enough * counts.most());
     const auto is_thin = [&](const Band& band) { return band.to - band.from < greatest_width_px; };
-    if (bands.size() < kLeastLines || !std::ranges::all_of(bands, is_thin) ||
+    if (bands.size() < least_lines || !std::ranges::all_of(bands, is_thin) ||
         !are_even(gaps_of(bands))) {
         return found;
     }
@@ -171,10 +171,10 @@ cv::Mat1b on_even_lines(const cv::Mat1b& pale, bool is_level, double greatest_wi
 
 cv::Mat1b grid_of(const cv::Mat1b& pale, double greatest_width_px) {
     const int pixels = cv::countNonZero(pale);
-    if (pixels < kLeastPale * static_cast<double>(pale.total())) return {};
+    if (pixels < least_pale * static_cast<double>(pale.total())) return {};
     const cv::Mat1b grid(on_even_lines(pale, true, greatest_width_px) |
                          on_even_lines(pale, false, greatest_width_px));
-    return cv::countNonZero(grid) >= kMostlyGrid * pixels ? grid : cv::Mat1b();
+    return cv::countNonZero(grid) >= mostly_grid * pixels ? grid : cv::Mat1b();
 }
 
 }  // namespace touchline

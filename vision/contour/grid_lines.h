@@ -8,7 +8,7 @@
 namespace touchline {
 
 /// As a share of the strongest contrast in a picture; anything stronger is no grid.
-inline constexpr double kPalest = 0.4;
+inline constexpr double palest = 0.4;
 
 /// Returns 255 where the pale strokes (255) are such a grid; an empty matrix if there is none. A
 /// grid is three or more evenly spaced parallel straight lines, level or upright to within 3

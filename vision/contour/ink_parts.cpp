@@ -13,16 +13,16 @@ namespace touchline {
 namespace {
 
 constexpr int kLeastArea_px = 8;  // less ink is a speck, less paper a pinhole
-constexpr double kClearlyWide = 1.25;
-constexpr float kAlike = 0.2F;             // of the depth: along a stroke
-constexpr double kMostRidgesAlike = 0.55;  // of the ridges
-constexpr double kHair = 0.4;          // of the greatest width: always a stroke, however it swells
-constexpr double kStillAStroke = 1.1;  // of the greatest width: strokes of a piece stay strokes
-constexpr double kWhereTwoMeet = 2.05;
-constexpr double kStandsOutOverWidth = 5.0;  // for what stands out of a wide shape
-constexpr double kSwollen = 1.5;  // of the usual width: the deepest place of such a stroke
-constexpr double kAsWide = 0.6;   // near its end, as a share of the width half-way
-constexpr double kLeastTailOverWidth = 1.0;  // less that stands out of a wide shape is its corner
+constexpr double clearly_wide = 1.25;
+constexpr float kAlike = 0.2F;              // of the depth: along a stroke
+constexpr double most_ridges_alike = 0.55;  // of the ridges
+constexpr double hair = 0.4;            // of the greatest width: always a stroke, however it swells
+constexpr double still_a_stroke = 1.1;  // of the greatest width: strokes of a piece stay strokes
+constexpr double where_two_meet = 2.05;
+constexpr double stands_out_over_width = 5.0;  // for what stands out of a wide shape
+constexpr double swollen = 1.5;  // of the usual width: the deepest place of such a stroke
+constexpr double as_wide = 0.6;  // near its end, as a share of the width half-way
+constexpr double least_tail_over_width = 1.0;  // less that stands out of a wide shape is its corner
 
 /// Returns the part of a picture that holds all of a mask, with a rim outside it.
 cv::Rect part_with(const cv::Mat1b& mask) {
@@ -69,7 +69,7 @@ std::vector<float> usual_depths(const cv::Mat1f& depth, const cv::Mat1i& piece, 
             });
             // Towards the corners of a shape its ridges have every depth.
             usual[i] = static_cast<double>(alike) >=
-                               kMostRidgesAlike * static_cast<double>(ridges[i].size())
+                               most_ridges_alike * static_cast<double>(ridges[i].size())
                            ? depth_px
                            : 0.0F;
         }
@@ -92,9 +92,9 @@ cv::Mat wide_cores(const InkParts& parts, const std::vector<float>& usual,
             const auto usual_px =
                 static_cast<double>(usual[static_cast<std::size_t>(parts.piece(y, x))]);
             const double met_px =
-                usual_px <= kStillAStroke * half_px ? kWhereTwoMeet * usual_px : 0.0;
+                usual_px <= still_a_stroke * half_px ? where_two_meet * usual_px : 0.0;
             if (label(y, x) != 0 &&
-                static_cast<double>(depth(y, x)) > std::max(kClearlyWide * half_px, met_px)) {
+                static_cast<double>(depth(y, x)) > std::max(clearly_wide * half_px, met_px)) {
                 is_wide[static_cast<std::size_t>(label(y, x))] = 255;
             }
         }
@@ -117,7 +117,7 @@ struct Tail {
 
     /// A corner, however sharp, grows narrower all the way; a stroke does not.
     [[nodiscard]] bool is_stroke(double least_px) const {
-        return reach_px >= least_px && far_px >= kAsWide * middle_px;
+        return reach_px >= least_px && far_px >= as_wide * middle_px;
     }
 };
 
@@ -159,7 +159,7 @@ cv::Mat1b wide_part(const cv::Mat1b& mask, const InkParts& parts, const std::vec
             tail.far_px = std::max(tail.far_px, depth_px);
         }
     });
-    const double least_px = (0.5 + kLeastTailOverWidth) * greatest_width_px;
+    const double least_px = (0.5 + least_tail_over_width) * greatest_width_px;
     for_each([&](const cv::Point& p, const Tail& tail) {
         if (!tail.is_stroke(least_px)) wide.at<uchar>(p) = 255;
     });
@@ -197,13 +197,13 @@ void add_swelling(InkParts& parts, const cv::Mat1b& mask, const std::vector<floa
             stroke.is_of_a_stroke = usual_of_piece[static_cast<std::size_t>(piece(y, x))] > 0;
         }
     }
-    const double hair_px = std::max(1.0, 0.5 * kHair * greatest_width_px) + 0.5;
+    const double hair_px = std::max(1.0, 0.5 * hair * greatest_width_px) + 0.5;
     std::vector<uchar> shape(strokes.size(), 0);
     for (std::size_t i = 1; i < strokes.size(); ++i) {
         const double width_px = 2.0 * static_cast<double>(usual[i]);
         const auto deepest_px = static_cast<double>(strokes[i].deepest_px);
-        const bool is_long = strokes[i].pixels >= kStandsOutOverWidth * width_px * width_px;
-        const bool is_even = deepest_px <= 0.5 * kSwollen * width_px + 0.5;
+        const bool is_long = strokes[i].pixels >= stands_out_over_width * width_px * width_px;
+        const bool is_even = deepest_px <= 0.5 * swollen * width_px + 0.5;
         const bool is_stroke =
             width_px > 0.0 && ((is_long && is_even) || strokes[i].is_of_a_stroke);
         shape[i] = !is_stroke && deepest_px > hair_px ? 255 : 0;
@@ -248,8 +248,8 @@ struct ColourExtent {
     cv::Rect box;
 };
 
-std::array<ColourExtent, kMostColours> extents_of(const cv::Mat1b& map) {
-    std::array<ColourExtent, kMostColours> extents{};
+std::array<ColourExtent, most_colours> extents_of(const cv::Mat1b& map) {
+    std::array<ColourExtent, most_colours> extents{};
     for (int y = 0; y < map.rows; ++y) {
         for (int x = 0; x < map.cols; ++x) {
             ColourExtent& extent = extents[map(y, x)];
@@ -306,7 +306,7 @@ ThinParts thin_parts_of(const cv::Mat1b& map, double greatest_width_px) {
     const auto extents = extents_of(map);
     const int ground = ground_of(map);
     cv::Mat thin(map.size(), CV_8U, cv::Scalar(0));
-    for (int colour = 0; colour < static_cast<int>(kMostColours); ++colour) {
+    for (int colour = 0; colour < static_cast<int>(most_colours); ++colour) {
         const ColourExtent& extent = extents[static_cast<std::size_t>(colour)];
         if (extent.pixels == 0) continue;
         // Adds a rim of other colours, so that the box's sides are not taken for more of the

@@ -14,15 +14,15 @@ namespace {
 
 constexpr double kTurn = 35.0 * std::numbers::pi / 180.0;  // a smaller turn is a bend, not a corner
 const double kSharpest = std::pow(std::sin(8.0 * std::numbers::pi / 180.0), 2);  // below: parallel
-constexpr double kBesideOverDepth =
+constexpr double beside_over_depth =
     1.2;  // a place on the way of an arm, or a course through a crossing
-constexpr double kBluntOverDepth = 2.0;  // of a place ahead of the skeleton's end in a blunt join
-constexpr double kCourse_px = 0.4;       // so far aside a course may lie; more along a sharp tip
+constexpr double blunt_over_depth = 2.0;  // of a place ahead of the skeleton's end in a blunt join
+constexpr double kCourse_px = 0.4;        // so far aside a course may lie; more along a sharp tip
 constexpr double kBeside_px = 1.0;
-constexpr double kTipSlack = 1.25;  // times the length of a mitre
-constexpr double kTapered = 0.78;  // of the stroke's depth, on average: it is a mitre, not a stroke
+constexpr double tip_slack = 1.25;  // times the length of a mitre
+constexpr double tapered = 0.78;  // of the stroke's depth, on average: it is a mitre, not a stroke
 constexpr double kNoStroke_px = 6.0;  // longer than its width by at most this: too short for one
-constexpr double kParallel = 15.0 * std::numbers::pi / 180.0;
+constexpr double parallel = 15.0 * std::numbers::pi / 180.0;
 
 /// Returns the distance of a place from the line along a ray.
 double beside(const Ray& ray, const cv::Point2d& at) {
@@ -96,7 +96,7 @@ class Solver {
         const Ray& a = courses_.at(pair.first)->ray;
         const Ray& b = courses_.at(pair.second)->ray;
         const double aside_px = 0.7 * courses_.depth_px(pair.first) + kBeside_px;
-        return turn(a, b) < kParallel && beside(a, b.from) <= aside_px &&
+        return turn(a, b) < parallel && beside(a, b.from) <= aside_px &&
                beside(b, a.from) <= aside_px;
     }
 
@@ -177,7 +177,7 @@ class Solver {
             const Course& course = *courses_.at(end);
             const double ahead_px = course.ray.direction.dot(at - course.ray.from);
             return beside(course.ray, at) <=
-                       kBesideOverDepth * courses_.depth_px(end) + kBeside_px &&
+                       beside_over_depth * courses_.depth_px(end) + kBeside_px &&
                    ahead_px > -kBeside_px && ahead_px < reach_px(end, ends);
         });
     }
@@ -193,7 +193,7 @@ class Solver {
         }
         const double half = std::max(0.5 * sharpest, 0.5 * kSharpest);
         return courses_.at(end)->from_px +
-               kTipSlack * 2.0 * courses_.depth_px(end) / std::sin(half) + kBeside_px;
+               tip_slack * 2.0 * courses_.depth_px(end) / std::sin(half) + kBeside_px;
     }
 
     /// Best first, each end once.
@@ -248,12 +248,12 @@ class Solver {
         const double mitre_px = depth_px / sine;
         const Beyond beyond = beyond_of(tip, *at);
         const double most_aside_px = beyond.is_ahead
-                                         ? kBluntOverDepth * depth_px + kCourse_px / sine
-                                         : kBesideOverDepth * depth_px + kBeside_px;
+                                         ? blunt_over_depth * depth_px + kCourse_px / sine
+                                         : beside_over_depth * depth_px + kBeside_px;
         if (beyond.aside_px > most_aside_px) return false;
-        if (beyond.length_px > kTipSlack * mitre_px + 2.0) return false;
+        if (beyond.length_px > tip_slack * mitre_px + 2.0) return false;
         return beyond.length_px <= 2.0 * depth_px + kNoStroke_px ||
-               beyond.mean_depth_px <= kTapered * depth_px + 0.3;
+               beyond.mean_depth_px <= tapered * depth_px + 0.3;
     }
 
     /// The part of an arm beyond the place on it that is nearest to `at`.

@@ -20,7 +20,7 @@ std::vector<Chain> JunctionSet::assembled(std::vector<Chain> lines) {
     moved_.resize(2 * arms_.size());
     for (EndId end = 0; end < moved_.size(); ++end) moved_[end] = end;
     cut_hosts();
-    partner_.assign(2 * arms_.size(), kNoEnd);
+    partner_.assign(2 * arms_.size(), no_end);
     for (const auto& [a, b] : joints_) join(moved_[a], moved_[b]);
     for (Junction& junction : junctions_) place(junction);
     for (const SolvedJunction& junction : solved_) pin(junction);
@@ -29,7 +29,7 @@ std::vector<Chain> JunctionSet::assembled(std::vector<Chain> lines) {
     for (const bool from_ends : {true, false}) {  // first the open ones; the rest are rings
         for (std::size_t arm = 0; arm < arms_.size(); ++arm) {
             for (const EndId end : {front_of(arm), back_of(arm)}) {
-                if (!is_walked_[arm] && (!from_ends || partner_[end] == kNoEnd)) {
+                if (!is_walked_[arm] && (!from_ends || partner_[end] == no_end)) {
                     outlines.push_back(walked(end));
                 }
             }
@@ -122,8 +122,8 @@ void JunctionSet::place(Junction& junction) {
 
 /// Returns where the arms' lines cross; `otherwise` if that is far away or undetermined.
 cv::Point2d JunctionSet::place_of(const std::vector<Ray>& rays, cv::Point2d otherwise) const {
-    constexpr double kLeastDeterminant = 0.05;
-    const auto crossing = crossing_of(rays, kLeastDeterminant);
+    constexpr double least_determinant = 0.05;
+    const auto crossing = crossing_of(rays, least_determinant);
     return crossing && distance(*crossing, otherwise) <= 2.0 * blur_px_ + 1.0 ? *crossing
                                                                               : otherwise;
 }
@@ -201,7 +201,7 @@ void JunctionSet::join(EndId a, EndId b) {
 Chain JunctionSet::walked(EndId start) {
     Chain line;
     EndId in = start;
-    while (in != kNoEnd && !is_walked_[chain_of(in)]) {
+    while (in != no_end && !is_walked_[chain_of(in)]) {
         Chain& arm = arms_[chain_of(in)];
         is_walked_[chain_of(in)] = true;
         line.width_px = std::max(line.width_px, arm.width_px);

@@ -13,8 +13,8 @@
 namespace touchline {
 namespace {
 
-constexpr double kFrameOverLine = 0.7;   // a half disc is 0.64, a horizon 1
-constexpr double kLeastRoundness = 0.6;  // round a corner every way is long
+constexpr double frame_over_line = 0.7;  // a half disc is 0.64, a horizon 1
+constexpr double least_roundness = 0.6;  // round a corner every way is long
 
 /// The frame as a closed way, clockwise from its upper left corner.
 class Frame {
@@ -85,8 +85,8 @@ std::optional<Chain> closed_along(const Frame& frame, const Chain& chain) {
     for (const cv::Point2d& at : corners) {
         closed.points.push_back({at, chain.points.back().strength, true});
     }
-    const bool is_mostly_line = way_px < kFrameOverLine * length_of(chain);
-    const bool is_round = corners.size() == 1 && roundness(closed) > kLeastRoundness;
+    const bool is_mostly_line = way_px < frame_over_line * length_of(chain);
+    const bool is_round = corners.size() == 1 && roundness(closed) > least_roundness;
     return is_mostly_line || is_round ? std::optional(closed) : std::nullopt;
 }
 
@@ -120,10 +120,10 @@ void close_along_frame(std::vector<Chain>& chains, cv::Size picture) {
     }
 }
 
-constexpr double kLeastCell_px = 4.0;       // a grid of smaller cells costs more than it saves
-constexpr double kRaySpan_px = 6.0;         // length of line that shows its direction
-constexpr double kOwnGapOverLength = 0.05;  // a ring with a break is still a ring
-constexpr double kCone =
+constexpr double kLeastCell_px = 4.0;         // a grid of smaller cells costs more than it saves
+constexpr double kRaySpan_px = 6.0;           // length of line that shows its direction
+constexpr double own_gap_over_length = 0.05;  // a ring with a break is still a ring
+constexpr double cone =
     70.0 * std::numbers::pi / 180.0;  // where a line may meet another, off its course
 
 /// Two ends that may be one line, and the cost of joining them in pixels.
@@ -232,12 +232,12 @@ class Linker {
         std::vector<std::optional<Meeting>> meetings(is_free_.size());
         for (EndId end = 0; end < is_free_.size(); ++end) {
             if (!is_free_[end]) continue;
-            double best = reach_.junction_px * (1.0 + kCone);
+            double best = reach_.junction_px * (1.0 + cone);
             grid.near(point_at(end).at, reach_.junction_px, [&](const PointRef& ref) {
                 const cv::Point2d step = lines_[ref.chain].points[ref.index].at - point_at(end).at;
                 const double angle = angle_between(rays_[end].direction, step);
                 const double cost = cv::norm(step) * (1.0 + angle);
-                if (cv::norm(step) <= reach_.junction_px && angle <= kCone && cost < best &&
+                if (cv::norm(step) <= reach_.junction_px && angle <= cone && cost < best &&
                     can_host(ref, end)) {
                     best = cost;
                     meetings[end] = Meeting{ref, cv::norm(step)};
@@ -302,7 +302,7 @@ class Linker {
     void consider_own_gap(EndId front, std::vector<GapCandidate>& candidates) const {
         const double gap = distance(point_at(front).at, point_at(front + 1).at);
         const double limit =
-            std::min(kOwnGapOverLength * length_of_chain(front), 2.0 * reach_.gap_px);
+            std::min(own_gap_over_length * length_of_chain(front), 2.0 * reach_.gap_px);
         if (gap <= limit && bending(front, front + 1) < std::numbers::pi / 2.0) {
             candidates.push_back({gap * (1.0 + bending(front, front + 1)), front, front + 1});
         }

@@ -14,14 +14,14 @@ namespace touchline {
 namespace {
 
 constexpr int kCoarse_px = 160;  // longer side, for GrabCut
-constexpr double kFinePixels = 1.2e5;
+constexpr double fine_pixels = 1.2e5;
 constexpr int kBorder_px = 2;  // of the coarse copy: at least this wide
-constexpr int kRounds = 2;
-constexpr double kLeastShapePart = 0.02;  // of the picture
-constexpr double kGreatestPart = 0.7;
-constexpr double kGreatestOnFrame = 0.3;    // of the outline
-constexpr double kGreatestLikeness = 0.55;  // of the colours inside and outside, 0 to 1
-constexpr double kLeastEdge = 1.6;  // mean gradient on the outline, over the picture's median one
+constexpr int rounds = 2;
+constexpr double least_shape_part = 0.02;  // of the picture
+constexpr double greatest_part = 0.7;
+constexpr double greatest_on_frame = 0.3;   // of the outline
+constexpr double greatest_likeness = 0.55;  // of the colours inside and outside, 0 to 1
+constexpr double least_edge = 1.6;  // mean gradient on the outline, over the picture's median one
 constexpr double kSnap_px = 5.0;    // of the fine copy: how far off the coarse outline may be
 
 /// Returns a copy of at most `side_px` on its longer side.
@@ -51,10 +51,10 @@ cv::Mat1f salience(const LabPicture& lab) {
             border(2 * i + 1, lab.cols + y) = lab(y, lab.cols - 1 - i);
         }
     }
-    constexpr double kAnyNoise = 100.0;  // textured borders have colours too
-    std::vector<cv::Vec3f> colours = palette_of(border, kAnyNoise);
-    constexpr std::size_t kMostAsked = 12;
-    colours.resize(std::min(colours.size(), kMostAsked));
+    constexpr double any_noise = 100.0;  // textured borders have colours too
+    std::vector<cv::Vec3f> colours = palette_of(border, any_noise);
+    constexpr std::size_t most_asked = 12;
+    colours.resize(std::min(colours.size(), most_asked));
     cv::Mat1f unlike(lab.size());
     for (int y = 0; y < lab.rows; ++y) {
         for (int x = 0; x < lab.cols; ++x) {
@@ -133,7 +133,7 @@ cv::Mat1b cut_out(const cv::Mat& coarse, const std::optional<cv::Point>& spot) {
     const FixedRandomState fixed;
     cv::Mat background;
     cv::Mat foreground;
-    cv::grabCut(coarse, mask, {}, background, foreground, kRounds, cv::GC_INIT_WITH_MASK);
+    cv::grabCut(coarse, mask, {}, background, foreground, rounds, cv::GC_INIT_WITH_MASK);
     return one_part((mask & 1) * 255, spot);
 }
 
@@ -206,7 +206,7 @@ bool is_on_edges(Chain& ring, const cv::Mat1f& strength) {
     const auto all = static_cast<double>(ring.points.size());
     const double free = all - on_frame;
     const auto middle = static_cast<double>(quantile(strength, 0.5));
-    return on_frame < kGreatestOnFrame * all && sum > kLeastEdge * std::max(0.5, middle) * free;
+    return on_frame < greatest_on_frame * all && sum > least_edge * std::max(0.5, middle) * free;
 }
 
 }  // namespace
@@ -229,11 +229,11 @@ std::optional<Chain> main_shape(const cv::Mat& picture, std::optional<cv::Point2
     const cv::Mat1b object = cut_out(coarse, coarse_spot);
     const double part =
         object.empty() ? 0.0 : cv::countNonZero(object) / static_cast<double>(object.total());
-    if (part < kLeastShapePart || part > kGreatestPart ||
-        likeness(to_lab(coarse), object) > kGreatestLikeness) {
+    if (part < least_shape_part || part > greatest_part ||
+        likeness(to_lab(coarse), object) > greatest_likeness) {
         return std::nullopt;
     }
-    const LabPicture fine = to_lab(reduced(picture, kFinePixels));
+    const LabPicture fine = to_lab(reduced(picture, fine_pixels));
     constexpr double kSmoothing_px = 1.5;
     const cv::Mat1f strength = colour_gradient(fine, kSmoothing_px).strength;
     std::optional<Chain> found = ring_round(object);

@@ -13,12 +13,12 @@
 namespace touchline {
 namespace {
 
-constexpr double kPhotoPixels = 3e5;  // finer edges of a photo are texture, and cost time
+constexpr double photo_pixels = 3e5;  // finer edges of a photo are texture, and cost time
 constexpr double kPhotoSmoothing_px = 2.0;
 constexpr double kLongestTexture_mm = 20.0;
 constexpr double kSmallestTexture_mm = 20.0;
 constexpr double kShortest_px = 8.0;  // shorter lines are pixels, whatever their size on the device
-constexpr double kGrain =
+constexpr double grain =
     1.0;  // grey levels; more noise than that in an otherwise empty picture is its content
 constexpr double kPhotoBlur_px = 0.8;  // sigma, of lens and sampling
 
@@ -31,28 +31,28 @@ struct Working {
 
 Working measured(const cv::Mat& picture) {
     Working working;
-    working.lab = to_lab(picture, kFullColour);
+    working.lab = to_lab(picture, full_colour);
     working.noise = noise_of(working.lab);
     working.smoothing_px = smoothing_for(working.lab, working.noise);
     return working;
 }
 
 Working prepared(const cv::Mat& picture) {
-    const cv::Mat small = reduced(picture, kWorkingPixels);
+    const cv::Mat small = reduced(picture, working_pixels);
     Working working = measured(small);
     if (working.smoothing_px >= kPhotoSmoothing_px &&
-        static_cast<double>(small.total()) > kPhotoPixels) {
-        return measured(reduced(small, kPhotoPixels));
+        static_cast<double>(small.total()) > photo_pixels) {
+        return measured(reduced(small, photo_pixels));
     }
     return working;
 }
 
 Reach reach_for(cv::Size size, double smoothing_px, double shortest_px) {
-    constexpr double kGapOverDiagonal = 0.02;
+    constexpr double gap_over_diagonal = 0.02;
     constexpr double kLeastGap_px = 6.0;
     Reach reach;
     reach.junction_px = 2.5 * smoothing_px + 2.0;
-    reach.gap_px = std::max(kLeastGap_px, kGapOverDiagonal * std::hypot(size.width, size.height));
+    reach.gap_px = std::max(kLeastGap_px, gap_over_diagonal * std::hypot(size.width, size.height));
     reach.blur_px = 1.5 * smoothing_px;
     reach.shortest_px = shortest_px;
     return reach;
@@ -106,7 +106,7 @@ PhotoLines photo_lines(const cv::Mat& picture, double longer_side_mm) {
     found.smoothing_px = working.smoothing_px;
     const double px_per_mm = std::max(found.size.width, found.size.height) / longer_side_mm;
     find(field, thresholds_for(field, working.noise, working.smoothing_px), px_per_mm, found);
-    if (found.chains.empty() && working.noise >= kGrain) {
+    if (found.chains.empty() && working.noise >= grain) {
         find(field, grain_thresholds(field), px_per_mm, found);
         found.is_grain = true;
     }

@@ -14,7 +14,7 @@
 namespace touchline {
 
 /// Lines are found in at most so many pixels: 0.1 mm each on a drawing area of 116 x 84 mm.
-inline constexpr double kWorkingPixels = 1e6;
+inline constexpr double working_pixels = 1e6;
 
 /// Lines with the measurements made on the way. Pixels are working pixels: those of the picture
 /// after the reduction to at most a megapixel.

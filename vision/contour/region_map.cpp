@@ -14,9 +14,9 @@ constexpr float kBin = 8.0F;    // grey levels
 constexpr float kSame = 16.0F;  // colours nearer than this are one
 constexpr std::size_t kMost = 64;
 constexpr float kNear = 45.0F;  // a colour this near to a common one may be a ripple of it
-constexpr double kLeastOverNear = 0.006;  // of the common colour's pixels
-constexpr double kLeastInkPart = 0.0005;  // of the picture
-constexpr float kFlat = 6.0F;             // grey levels across two pixels
+constexpr double least_over_near = 0.006;  // of the common colour's pixels
+constexpr double least_ink_part = 0.0005;  // of the picture
+constexpr float kFlat = 6.0F;              // grey levels across two pixels
 
 struct Bin {
     cv::Vec3f sum;
@@ -84,7 +84,7 @@ double least_count(const Bin& peak, const std::vector<Bin>& found, double least)
     double most = found.empty() ? 1.0 : std::max(1.0, least);
     for (const Bin& common : found) {
         if (peak.count > 0 && squared(mean_of(peak) - mean_of(common)) < kNear * kNear) {
-            most = std::max(most, kLeastOverNear * common.count);
+            most = std::max(most, least_over_near * common.count);
         }
     }
     return most;
@@ -98,9 +98,9 @@ std::size_t first_of(std::vector<Run>& runs, std::size_t i) {
     return i;
 }
 
-constexpr int kPureReach_px = 3;   // how far away to look for the pure colours beside an edge
-constexpr float kMixture = 14.0F;  // grey levels off the line between two colours
-constexpr float kMixtureOverStep = 0.12F;
+constexpr int kPureReach_px = 3;  // how far away to look for the pure colours beside an edge
+constexpr float mixture = 14.0F;  // grey levels off the line between two colours
+constexpr float mixture_over_step = 0.12F;
 
 /// Returns the pixels whose neighbours all have the same colour.
 cv::Mat1b uniform_pixels(const cv::Mat1b& colours) {
@@ -167,7 +167,7 @@ class Mixtures {
 
     [[nodiscard]] bool is_pure(int y, int x) const {
         const cv::Vec3f d = lab_(y, x) - palette_[colours_(y, x)];
-        return uniform_(y, x) != 0 || d.dot(d) < kMixture * kMixture;
+        return uniform_(y, x) != 0 || d.dot(d) < mixture * mixture;
     }
 
     [[nodiscard]] uchar best_mixture(const cv::Vec3f& colour, uchar own,
@@ -181,7 +181,7 @@ class Mixtures {
                 const float t = (colour - a).dot(step) / step.dot(step);
                 const cv::Vec3f off = colour - a - std::clamp(t, 0.0F, 1.0F) * step;
                 const float limit =
-                    std::max(kMixture, kMixtureOverStep * std::sqrt(step.dot(step)));
+                    std::max(mixture, mixture_over_step * std::sqrt(step.dot(step)));
                 if (off.dot(off) < std::min(limit * limit, least)) {
                     least = off.dot(off);
                     best = near[t < 0.5F ? i : j];
@@ -219,7 +219,7 @@ std::vector<cv::Vec3f> palette_of(const LabPicture& lab, double noise) {
     std::erase_if(filled, [](const Bin& bin) { return bin.count == 0; });
     if (filled.empty()) return {lab(lab.rows / 2, lab.cols / 2)};
     std::ranges::stable_sort(filled, std::greater<>(), &Bin::count);
-    const double least = kLeastInkPart * static_cast<double>(lab.total());
+    const double least = least_ink_part * static_cast<double>(lab.total());
     std::vector<Bin> found;
     while (!filled.empty() && found.size() < kMost) {
         Bin peak = around(filled, mean_of(filled.front()));
@@ -241,21 +241,21 @@ std::vector<cv::Vec3f> palette_of(const LabPicture& lab, double noise) {
 
 cv::Mat1b nearest_colours(const LabPicture& lab, const std::vector<cv::Vec3f>& palette) {
     constexpr int kFine = 64;          // cells along each axis: a table of the nearest, made as
-    constexpr float kFineSize = 4.0F;  // asked for
-    constexpr uchar kUnknown = 255;
-    std::vector<uchar> table(static_cast<std::size_t>(kFine * kFine * kFine), kUnknown);
+    constexpr float fine_size = 4.0F;  // asked for
+    constexpr uchar unknown = 255;
+    std::vector<uchar> table(static_cast<std::size_t>(kFine * kFine * kFine), unknown);
     cv::Mat1b nearest(lab.size());
     for (int y = 0; y < lab.rows; ++y) {
         for (int x = 0; x < lab.cols; ++x) {
             const cv::Vec3f& colour = lab(y, x);
-            const int l = cell(colour[0], 0.0F, kFineSize, kFine);
-            const int a = cell(colour[1], -128.0F, kFineSize, kFine);
-            const int b = cell(colour[2], -128.0F, kFineSize, kFine);
+            const int l = cell(colour[0], 0.0F, fine_size, kFine);
+            const int a = cell(colour[1], -128.0F, fine_size, kFine);
+            const int b = cell(colour[2], -128.0F, fine_size, kFine);
             uchar& known = table[static_cast<std::size_t>((l * kFine + a) * kFine + b)];
-            if (known == kUnknown) {
-                const cv::Vec3f centre((static_cast<float>(l) + 0.5F) * kFineSize,
-                                       (static_cast<float>(a) + 0.5F) * kFineSize - 128.0F,
-                                       (static_cast<float>(b) + 0.5F) * kFineSize - 128.0F);
+            if (known == unknown) {
+                const cv::Vec3f centre((static_cast<float>(l) + 0.5F) * fine_size,
+                                       (static_cast<float>(a) + 0.5F) * fine_size - 128.0F,
+                                       (static_cast<float>(b) + 0.5F) * fine_size - 128.0F);
                 const auto best = std::ranges::min_element(
                     palette, {}, [&](const cv::Vec3f& c) { return squared(c - centre); });
                 known = static_cast<uchar>(best - palette.begin());
@@ -295,7 +295,7 @@ cv::Mat1b region_map(const LabPicture& lab, const std::vector<cv::Vec3f>& palett
 }
 
 uchar ground_of(const cv::Mat1b& map) {
-    std::array<int, kMostColours> counts{};
+    std::array<int, most_colours> counts{};
     for (const uchar colour : map) ++counts[colour];
     return static_cast<uchar>(std::ranges::max_element(counts) - counts.begin());
 }

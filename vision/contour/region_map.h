@@ -12,7 +12,7 @@
 namespace touchline {
 
 /// A map names the colour of each pixel by a byte, its place in a palette.
-inline constexpr std::size_t kMostColours = 256;
+inline constexpr std::size_t most_colours = 256;
 
 /// Returns at most 64 colours, the commonest first, at least 16 grey levels apart: the peaks of the
 /// histogram (bins of 8) of all pixels that are like their neighbours. Leaves out colours of less

@@ -25,17 +25,17 @@
 namespace touchline {
 namespace {
 
-constexpr double kSpeckPart = 0.001;        // of the picture: a smaller region is a speck
-constexpr double kLeastPaper = 0.3;         // with less, the paper does not show the light
-constexpr std::ptrdiff_t kLeastPoints = 4;  // of the rest that a stroke leaves of a border
+constexpr double speck_part = 0.001;        // of the picture: a smaller region is a speck
+constexpr double least_paper = 0.3;         // with less, the paper does not show the light
+constexpr std::ptrdiff_t least_points = 4;  // of the rest that a stroke leaves of a border
 constexpr double kBorderBlur_px = 1.5;
 constexpr double kBorderSpan_px = 8.0;
-constexpr double kCalm = 1.0;  // grey levels of noise that need no smoothing
+constexpr double calm = 1.0;  // grey levels of noise that need no smoothing
 
 /// Returns a sigma that brings noise down to a grey level or two, but rounds no corner by a pixel.
 double smoothing_for_noise(double noise) {
     constexpr double kGreatest_px = 1.5;
-    return noise > kCalm ? std::min(kGreatest_px, 0.5 + 0.1 * noise) : 0.0;
+    return noise > calm ? std::min(kGreatest_px, 0.5 + 0.1 * noise) : 0.0;
 }
 
 Reach reach_of_borders() {
@@ -61,7 +61,7 @@ cv::Mat1b pale_pixels(const cv::Mat1b& map, const std::vector<cv::Vec3f>& palett
     cv::Mat1b pale(map.size());
     std::ranges::transform(map, pale.begin(), [&](uchar colour) {
         const double contrast = cv::norm(palette[colour] - palette[ground]);
-        return contrast > 0.0 && contrast <= kPalest * strongest ? uchar{255} : uchar{0};
+        return contrast > 0.0 && contrast <= palest * strongest ? uchar{255} : uchar{0};
     });
     return pale;
 }
@@ -82,7 +82,7 @@ void find_regions(FlatPicture& flat, double greatest_width_px) {
         flat.lab = painted_over(flat.lab, grid);
         flat.map = region_map(flat.lab, flat.palette);
     }
-    overgrow_specks(flat.map, static_cast<int>(kSpeckPart * static_cast<double>(flat.lab.total())));
+    overgrow_specks(flat.map, static_cast<int>(speck_part * static_cast<double>(flat.lab.total())));
     flat.soft = join_fading(flat.map, flat.palette, flat.lab);
 }
 
@@ -90,7 +90,7 @@ FlatPicture flat_picture(const LabPicture& lab, double noise, double greatest_wi
     FlatPicture flat{lab, {}, {}, {}, smoothing_for_noise(noise)};
     if (flat.smoothing_px > 0.0) cv::GaussianBlur(lab, flat.lab, cv::Size(), flat.smoothing_px);
     const Paper paper(flat.lab);
-    if (paper.part() >= kLeastPaper) flat.lab = evenly_lit(flat.lab, paper);
+    if (paper.part() >= least_paper) flat.lab = evenly_lit(flat.lab, paper);
     flat.palette = palette_of(flat.lab, noise);
     find_regions(flat, greatest_width_px);
     return flat;
@@ -147,7 +147,7 @@ std::vector<Chain> outside(const std::vector<Chain>& lines, const cv::Mat& mask)
         for (auto from = points.begin(); from != points.end();) {
             from = std::find_if_not(from, points.end(), is_inside);
             const auto to = std::find_if(from, points.end(), is_inside);
-            if (to - from > kLeastPoints) kept.push_back({{from, to}, false});
+            if (to - from > least_points) kept.push_back({{from, to}, false});
             from = to;
         }
     }

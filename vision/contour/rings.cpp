@@ -94,15 +94,15 @@ class RingTracer {
     cv::Mat1b is_done_;  // for each cell: a ring has left through its upper side
 };
 
-constexpr int kNoLink = -1;
+constexpr int no_link = -1;
 
 /// A place where a line crosses from one pixel to the next, and its links on either side: other
 /// crossings, or nodes (junctions) as -2 - index.
 struct BorderCrossing {
     EdgePoint point;
-    std::array<int, 2> next{kNoLink, kNoLink};
+    std::array<int, 2> next{no_link, no_link};
 
-    void link(int other) { next[next[0] == kNoLink ? 0 : 1] = other; }
+    void link(int other) { next[next[0] == no_link ? 0 : 1] = other; }
 };
 
 class BorderTracer {
@@ -111,8 +111,8 @@ class BorderTracer {
         : map_(map),
           lab_(lab),
           palette_(palette),
-          right_(map.size(), kNoLink),
-          below_(map.size(), kNoLink) {}
+          right_(map.size(), no_link),
+          below_(map.size(), no_link) {}
 
     std::vector<Chain> traced() {
         find_crossings();
@@ -150,12 +150,12 @@ class BorderTracer {
         const float square = step.dot(step);
         const float at_p = (lab_(p) - from).dot(step) / square;
         const float at_q = (lab_(q) - from).dot(step) / square;
-        constexpr float kSteep = 0.1F;  // a flatter course does not tell the place
+        constexpr float steep = 0.1F;  // a flatter course does not tell the place
         const float t =
-            at_q - at_p > kSteep ? std::clamp((0.5F - at_p) / (at_q - at_p), 0.02F, 0.98F) : 0.5F;
+            at_q - at_p > steep ? std::clamp((0.5F - at_p) / (at_q - at_p), 0.02F, 0.98F) : 0.5F;
         BorderCrossing crossing;
         crossing.point.at = cv::Point2d(p) + static_cast<double>(t) * cv::Point2d(q - p);
-        crossing.point.strength = kGradientOverStep * std::sqrt(static_cast<double>(square));
+        crossing.point.strength = gradient_over_step * std::sqrt(static_cast<double>(square));
         crossings_.push_back(crossing);
         return static_cast<int>(crossings_.size()) - 1;
     }
@@ -163,11 +163,11 @@ class BorderTracer {
     /// Links the crossings on the four sides of the cell whose upper left pixel is (x, y).
     void link_cell(int y, int x) {
         std::array<int, 4> around{right_(y, x), below_(y, x + 1), right_(y + 1, x), below_(y, x)};
-        const auto n = std::ranges::count_if(around, [](int c) { return c != kNoLink; });
+        const auto n = std::ranges::count_if(around, [](int c) { return c != no_link; });
         if (n == 0) return;
         if (n == 2) {
-            const auto a = std::ranges::find_if(around, [](int c) { return c != kNoLink; });
-            const auto b = std::find_if(a + 1, around.end(), [](int c) { return c != kNoLink; });
+            const auto a = std::ranges::find_if(around, [](int c) { return c != no_link; });
+            const auto b = std::find_if(a + 1, around.end(), [](int c) { return c != no_link; });
             link(*a, *b);
             return;
         }
@@ -203,7 +203,7 @@ class BorderTracer {
         junction.is_fixed = true;
         int n = 0;
         for (const int c : around) {
-            if (c != kNoLink) {
+            if (c != no_link) {
                 const EdgePoint& point = crossings_[static_cast<std::size_t>(c)].point;
                 junction.at += point.at;
                 junction.strength = std::max(junction.strength, point.strength);
@@ -237,7 +237,7 @@ class BorderTracer {
     }
 
     void add_node(int link, Chain& line) const {
-        if (link < kNoLink) line.points.push_back(nodes_[static_cast<std::size_t>(-2 - link)]);
+        if (link < no_link) line.points.push_back(nodes_[static_cast<std::size_t>(-2 - link)]);
     }
 
     const BorderCrossing& crossing(int i) const { return crossings_[static_cast<std::size_t>(i)]; }
@@ -245,7 +245,7 @@ class BorderTracer {
     const cv::Mat1b& map_;
     const LabPicture& lab_;
     const std::vector<cv::Vec3f>& palette_;
-    cv::Mat1i right_;  // crossing between a pixel and the next one, or kNoLink
+    cv::Mat1i right_;  // crossing between a pixel and the next one, or no_link
     cv::Mat1i below_;
     std::vector<BorderCrossing> crossings_;
     std::vector<EdgePoint> nodes_;
@@ -305,16 +305,16 @@ void snap(Chain& ring, const cv::Mat1f& strength, double reach_px) {
             }
         }
     }
-    constexpr int kAgree = 7;  // points, of which the median is taken
+    constexpr int agree = 7;  // points, of which the median is taken
     for (int i = 0; i < n; ++i) {
-        std::array<double, kAgree> around{};
-        for (int k = 0; k < kAgree; ++k) {
+        std::array<double, agree> around{};
+        for (int k = 0; k < agree; ++k) {
             around[static_cast<std::size_t>(k)] =
-                offset[static_cast<std::size_t>((i + k - kAgree / 2 + n) % n)];
+                offset[static_cast<std::size_t>((i + k - agree / 2 + n) % n)];
         }
-        std::ranges::nth_element(around, around.begin() + kAgree / 2);
+        std::ranges::nth_element(around, around.begin() + agree / 2);
         const auto k = static_cast<std::size_t>(i);
-        ring.points[k].at += around[kAgree / 2] * normal[k];
+        ring.points[k].at += around[agree / 2] * normal[k];
     }
 }
 

@@ -33,7 +33,7 @@ void snap(Chain& ring, const cv::Mat1f& strength, double reach_px);
 
 /// The gradient of a step between flat colours over the step, per pixel: a Gaussian's peak, with a
 /// sigma of about 1 px.
-inline constexpr double kGradientOverStep = 0.4;
+inline constexpr double gradient_over_step = 0.4;
 
 /// Returns whether a ring holds a place; false on the ring itself. O(points).
 [[nodiscard]] bool holds(const Chain& ring, const cv::Point2d& at);

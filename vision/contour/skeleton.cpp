@@ -9,7 +9,7 @@
 namespace touchline {
 namespace {
 
-constexpr float kStepsPerPixel = 8.0F;  // of depth
+constexpr float steps_per_pixel = 8.0F;  // of depth
 
 /// Whether a pixel may go, by its eight neighbours (bit k: neighbour k, round the pixel, even bits
 /// beside it): it is not an end, and its neighbours stay connected without it (Yokoi's number is
@@ -27,7 +27,7 @@ constexpr std::array<bool, 256> removable_table() {
     return table;
 }
 
-constexpr std::array<bool, 256> kRemovable = removable_table();
+constexpr std::array<bool, 256> removable = removable_table();
 
 class Thinning {
   public:
@@ -71,7 +71,7 @@ class Thinning {
 
   private:
     void add(std::size_t p, float depth) {
-        const auto level = static_cast<std::size_t>(depth * kStepsPerPixel);
+        const auto level = static_cast<std::size_t>(depth * steps_per_pixel);
         if (queues_.size() <= level) queues_.resize(level + 1);
         inside_[p] = 255;
         level_[p] = static_cast<int>(level);
@@ -96,7 +96,7 @@ class Thinning {
             return inside_[p] != 0 && inside_[neighbour(p, side)] == 0;
         });
         for (const std::size_t p : open) {
-            if (inside_[p] == 0 || !kRemovable[code_of(p)]) continue;
+            if (inside_[p] == 0 || !removable[code_of(p)]) continue;
             inside_[p] = 0;
             for (std::size_t k = 0; k < 8; ++k) {
                 const std::size_t q = neighbour(p, k);
@@ -113,9 +113,9 @@ class Thinning {
 };
 
 constexpr std::size_t kFree = std::numeric_limits<std::size_t>::max();
-constexpr double kSpurOverWidth = 0.8;
-constexpr double kBridgeOverWidth = 1.0;
-constexpr double kLoopOverWidth = 1.5;
+constexpr double spur_over_width = 0.8;
+constexpr double bridge_over_width = 1.0;
+constexpr double loop_over_width = 1.5;
 
 struct Arm {
     std::vector<cv::Point> pixels;
@@ -171,12 +171,12 @@ class Tracer {
                 if (n >= 3) {
                     left_(y, x) = 0;
                     branches.emplace_back(x, y);
-                    node_(y, x) = kUnnumbered;
+                    node_(y, x) = unnumbered;
                 }
             }
         }
         for (const cv::Point& seed : branches) {
-            if (node_(seed) == kUnnumbered) number_cluster(seed);
+            if (node_(seed) == unnumbered) number_cluster(seed);
         }
     }
 
@@ -191,7 +191,7 @@ class Tracer {
             nodes_.back().count += 1.0;
             nodes_.back().depth = std::max(nodes_.back().depth, static_cast<double>(depth_(p)));
             around(p, [&](const cv::Point& q) {
-                if (node_(q) == kUnnumbered) {
+                if (node_(q) == unnumbered) {
                     node_(q) = number;
                     cluster.push_back(q);
                 }
@@ -268,7 +268,7 @@ class Tracer {
             const std::size_t a = root(arm.from);
             const std::size_t b = root(arm.to);
             const double width_px = nodes_[a].depth + nodes_[b].depth;
-            const double limit = (a == b ? kLoopOverWidth : kBridgeOverWidth) * width_px;
+            const double limit = (a == b ? loop_over_width : bridge_over_width) * width_px;
             // The nodes as they are now: many short bridges in a row do not make one node.
             const bool is_far = a != b && distance(nodes_[a].centre(), nodes_[b].centre()) > limit;
             if (length(arm) > limit || is_far) continue;
@@ -293,7 +293,7 @@ class Tracer {
             if (arm.is_dropped || (arm.from == kFree && arm.to == kFree)) continue;
             const bool is_free = arm.from == kFree || arm.to == kFree;
             const std::size_t node = root(arm.from != kFree ? arm.from : arm.to);
-            if (is_free && length(arm) < kSpurOverWidth * 2.0 * nodes_[node].depth + 0.5) {
+            if (is_free && length(arm) < spur_over_width * 2.0 * nodes_[node].depth + 0.5) {
                 spurs[node].push_back(i);
             } else {
                 ++others[node];
@@ -330,7 +330,7 @@ class Tracer {
         return made;
     }
 
-    static constexpr int kUnnumbered = std::numeric_limits<int>::max();
+    static constexpr int unnumbered = std::numeric_limits<int>::max();
 
     const cv::Mat1f& depth_;
     cv::Rect frame_;

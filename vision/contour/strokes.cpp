@@ -19,13 +19,13 @@
 namespace touchline {
 namespace {
 
-constexpr double kLeastLengthOverWidth = 2.5;  // with shorter arms it is a dot or a small star
+constexpr double least_length_over_width = 2.5;  // with shorter arms it is a dot or a small star
 // At a corner of angle a, the middle of the ink is 0.25 (1 / sin(a / 2) - 1) widths inside it, over
 // half a width / tan(a / 2) of either side: as a blur of this many widths would move it.
-constexpr double kRoundingOverWidth = 0.5;
+constexpr double rounding_over_width = 0.5;
 // A bevelled join of angle a leaves half a width x sin(a / 2) of ink beyond the corner, and other
 // joins leave more; a bend's vertex is nearer to the edge.
-constexpr double kDepthAtCorner = 0.48;
+constexpr double depth_at_corner = 0.48;
 
 /// The contents of one connected piece of ink.
 struct Piece {
@@ -130,7 +130,7 @@ class StrokeTracer {
         std::vector<uchar> is_dot(pieces.size(), 0);
         for (std::size_t i = 1; i < pieces.size(); ++i) {
             Piece& piece = pieces[i];
-            if (piece.longest_px < kLeastLengthOverWidth * piece.width_px) {
+            if (piece.longest_px < least_length_over_width * piece.width_px) {
                 is_dot[i] = 1;
                 piece.arms.clear();
                 piece.solved.clear();
@@ -222,16 +222,16 @@ class StrokeTracer {
     Chain finished(Chain line) const {
         if (line.width_px > 0.0) line = centred(line, ink_.darkness);
         const double width_px = line.width_px;
-        line = with_sharp_corners(line, kDrawingBlur_px + kRoundingOverWidth * width_px,
+        line = with_sharp_corners(line, kDrawingBlur_px + rounding_over_width * width_px,
                                   [&](const cv::Point2d& at, double turn) {
                                       return depth_near(at) >=
-                                             kDepthAtCorner * width_px * std::cos(0.5 * turn);
+                                             depth_at_corner * width_px * std::cos(0.5 * turn);
                                   });
         line.width_px = width_px;
         const auto is_set = [](const EdgePoint& point) { return point.strength > 0.0; };
         for (EdgePoint& point : line.points) {
             point.strength =
-                kGradientOverStep * static_cast<double>(ink_.contrast(pixel_at(point.at)));
+                gradient_over_step * static_cast<double>(ink_.contrast(pixel_at(point.at)));
         }
         if (std::ranges::none_of(line.points, is_set)) take_strength_beside(line);
         return line;
@@ -245,7 +245,7 @@ class StrokeTracer {
                 for (const double dx : {-0.5, 0.5}) {
                     const cv::Point pixel = pixel_at(point.at + cv::Point2d(dx, dy));
                     const auto contrast = static_cast<double>(ink_.contrast(pixel));
-                    point.strength = std::max(point.strength, kGradientOverStep * contrast);
+                    point.strength = std::max(point.strength, gradient_over_step * contrast);
                 }
             }
         }
@@ -286,7 +286,7 @@ double strong_contrast(const Ink& ink) {
 }
 
 Ink without_grid(Ink ink, double greatest_width_px) {
-    const cv::Mat1b pale((ink.contrast <= kPalest * strong_contrast(ink)) & ink.mask);
+    const cv::Mat1b pale((ink.contrast <= palest * strong_contrast(ink)) & ink.mask);
     const cv::Mat1b grid = grid_of(pale, greatest_width_px);
     if (!grid.empty()) {
         ink.mask.setTo(0, grid);

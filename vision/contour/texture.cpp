@@ -12,11 +12,11 @@
 namespace touchline {
 namespace {
 
-constexpr double kCellsPerSpacing = 2.0;
+constexpr double cells_per_spacing = 2.0;
 constexpr double kSmoothing_cells = 3.0;
-constexpr double kMostOfPicture = 0.5;  // more is the picture itself
-constexpr double kMostlyThere = 0.5;
-constexpr int kFewestLines = 8;
+constexpr double most_of_picture = 0.5;  // more is the picture itself
+constexpr double mostly_there = 0.5;
+constexpr int fewest_lines = 8;
 
 class TextureMap {
   public:
@@ -24,7 +24,7 @@ class TextureMap {
         : chains_(chains),
           picture_(picture),
           scale_(scale),
-          cell_px_(scale.spacing_px / kCellsPerSpacing) {
+          cell_px_(scale.spacing_px / cells_per_spacing) {
         const cv::Size cells(static_cast<int>(std::ceil(picture.width / cell_px_)),
                              static_cast<int>(std::ceil(picture.height / cell_px_)));
         density_ = cv::Mat1f(cells, 0.0F);
@@ -104,7 +104,7 @@ class TextureMap {
             const bool is_wide =
                 cells * cell_px_ * cell_px_ >= scale_.smallest_px * scale_.smallest_px;
             is_sized_.push_back(area > 0 && is_wide &&
-                                cells <= kMostOfPicture * static_cast<double>(density_.total()));
+                                cells <= most_of_picture * static_cast<double>(density_.total()));
         }
     }
 
@@ -117,7 +117,7 @@ class TextureMap {
             const int area = areas_(cell_of(points[points.size() / 2].at));
             const auto there = std::ranges::count_if(
                 points, [&](const EdgePoint& p) { return areas_(cell_of(p.at)) == area; });
-            if (static_cast<double>(there) >= kMostlyThere * static_cast<double>(points.size())) {
+            if (static_cast<double>(there) >= mostly_there * static_cast<double>(points.size())) {
                 area_of_[c] = area;
                 Lines& lines = lines_in_[static_cast<std::size_t>(area)];
                 ++lines.count;
@@ -129,7 +129,7 @@ class TextureMap {
 
     bool is_texture(int area) const {
         const auto i = static_cast<std::size_t>(area);
-        return is_sized_[i] && lines_in_[i].count >= kFewestLines;
+        return is_sized_[i] && lines_in_[i].count >= fewest_lines;
     }
 
     /// Returns the area inside a ring, from the high element beside its first crossing, which lies

@@ -17,16 +17,16 @@ namespace touchline {
 namespace {
 
 // Turns measured on photographs: tests/lab/bench/vision/faces_and_names.md.
-constexpr double kNearProfile = -0.02;
-constexpr double kTurnedAway = 0.15;
+constexpr double near_profile = -0.02;
+constexpr double turned_away = 0.15;
 
 // The openings of closed eyes and mouths, in their widths.
-constexpr double kClosedMouth = 0.07;
-constexpr double kClosedEye = 0.12;
+constexpr double closed_mouth = 0.07;
+constexpr double closed_eye = 0.12;
 
 using Points = std::span<const std::size_t>;
 
-constexpr std::array<std::size_t, 36> kOval{
+constexpr std::array<std::size_t, 36> oval{
     10,  338, 297, 332, 284, 251, 389, 356, 454, 323, 361, 288, 397, 365, 379, 378, 400, 377,
     152, 148, 176, 149, 150, 136, 172, 58,  132, 93,  234, 127, 162, 21,  54,  103, 67,  109};
 constexpr std::array<std::size_t, 6> kRidge{168, 6, 197, 195, 5, 4};
@@ -43,22 +43,22 @@ struct Slit {
     Points lower;
 };
 
-constexpr std::array<std::size_t, 9> kLeftUpperLid{33, 246, 161, 160, 159, 158, 157, 173, 133};
-constexpr std::array<std::size_t, 9> kLeftLowerLid{33, 7, 163, 144, 145, 153, 154, 155, 133};
-constexpr std::array<std::size_t, 9> kRightUpperLid{362, 398, 384, 385, 386, 387, 388, 466, 263};
-constexpr std::array<std::size_t, 9> kRightLowerLid{362, 382, 381, 380, 374, 373, 390, 249, 263};
-constexpr std::array<std::size_t, 11> kUpperLip{78, 191, 80, 81, 82, 13, 312, 311, 310, 415, 308};
-constexpr std::array<std::size_t, 11> kLowerLip{78, 95, 88, 178, 87, 14, 317, 402, 318, 324, 308};
-constexpr std::array<std::size_t, 5> kLeftBrowTop{70, 63, 105, 66, 107};
-constexpr std::array<std::size_t, 5> kLeftBrowBottom{46, 53, 52, 65, 55};
-constexpr std::array<std::size_t, 5> kRightBrowTop{336, 296, 334, 293, 300};
-constexpr std::array<std::size_t, 5> kRightBrowBottom{285, 295, 282, 283, 276};
+constexpr std::array<std::size_t, 9> left_upper_lid{33, 246, 161, 160, 159, 158, 157, 173, 133};
+constexpr std::array<std::size_t, 9> left_lower_lid{33, 7, 163, 144, 145, 153, 154, 155, 133};
+constexpr std::array<std::size_t, 9> right_upper_lid{362, 398, 384, 385, 386, 387, 388, 466, 263};
+constexpr std::array<std::size_t, 9> right_lower_lid{362, 382, 381, 380, 374, 373, 390, 249, 263};
+constexpr std::array<std::size_t, 11> upper_lip{78, 191, 80, 81, 82, 13, 312, 311, 310, 415, 308};
+constexpr std::array<std::size_t, 11> lower_lip{78, 95, 88, 178, 87, 14, 317, 402, 318, 324, 308};
+constexpr std::array<std::size_t, 5> left_brow_top{70, 63, 105, 66, 107};
+constexpr std::array<std::size_t, 5> left_brow_bottom{46, 53, 52, 65, 55};
+constexpr std::array<std::size_t, 5> right_brow_top{336, 296, 334, 293, 300};
+constexpr std::array<std::size_t, 5> right_brow_bottom{285, 295, 282, 283, 276};
 
-constexpr Slit kLeftEye{kLeftUpperLid, kLeftLowerLid};
-constexpr Slit kRightEye{kRightUpperLid, kRightLowerLid};
-constexpr Slit kMouth{kUpperLip, kLowerLip};
-constexpr Slit kLeftBrow{kLeftBrowTop, kLeftBrowBottom};
-constexpr Slit kRightBrow{kRightBrowTop, kRightBrowBottom};
+constexpr Slit kLeftEye{left_upper_lid, left_lower_lid};
+constexpr Slit kRightEye{right_upper_lid, right_lower_lid};
+constexpr Slit kMouth{upper_lip, lower_lip};
+constexpr Slit kLeftBrow{left_brow_top, left_brow_bottom};
+constexpr Slit kRightBrow{right_brow_top, right_brow_bottom};
 
 /// Draws a line through points of the mesh. They are the corners of a net, which a hand must not
 /// feel: the line runs smoothly between them, and is sharp only in fixed ones.
@@ -152,10 +152,10 @@ struct EyeSigns {
 
 std::optional<EyeSigns> eye_signs(const cv::Mat3b& picture, const FaceMesh& mesh,
                                   const Slit& slit) {
-    constexpr double kBeside = 0.15;  // of the eye's width: what counts as round it, at its sides
-    constexpr double kAbove = 0.4;    // likewise, above and below
+    constexpr double beside = 0.15;  // of the eye's width: what counts as round it, at its sides
+    constexpr double kAbove = 0.4;   // likewise, above and below
     constexpr double kLight = 0.75;
-    constexpr double kLeftOut = 0.1;
+    constexpr double left_out = 0.1;
     const cv::Point2d from = mesh[slit.upper.front()];
     const cv::Point2d along = mesh[slit.upper.back()] - from;
     const cv::Point2d down(-along.y, along.x);
@@ -169,11 +169,11 @@ std::optional<EyeSigns> eye_signs(const cv::Mat3b& picture, const FaceMesh& mesh
     const std::vector<uchar> within = greys_within(picture, eye);
     const auto cheek = level_at(greys_within(picture, below), 0.5);
     const std::vector<uchar> around =
-        greys_within(picture, {at(-kBeside, -kAbove), at(1.0 + kBeside, -kAbove),
-                               at(1.0 + kBeside, kAbove), at(-kBeside, kAbove)});
+        greys_within(picture, {at(-beside, -kAbove), at(1.0 + beside, -kAbove),
+                               at(1.0 + beside, kAbove), at(-beside, kAbove)});
     const auto light = level_at(around, kLight);
-    const auto bright = level_at(within, 1.0 - kLeftOut);
-    const auto dark = level_at(within, kLeftOut);
+    const auto bright = level_at(within, 1.0 - left_out);
+    const auto dark = level_at(within, left_out);
     if (!cheek || !light || !bright || !dark) return std::nullopt;
     const double unit = std::max(1.0, *cheek);
     return EyeSigns{*light / unit, (*bright - *dark) / unit};
@@ -186,7 +186,7 @@ struct Sides {
 };
 
 Sides sides_of(const FaceTurn& turn) {
-    const bool is_turned_away = turn.narrower_share < kTurnedAway;
+    const bool is_turned_away = turn.narrower_share < turned_away;
     return {!is_turned_away || !turn.is_left_narrower, !is_turned_away || turn.is_left_narrower};
 }
 
@@ -209,8 +209,8 @@ FaceTurn turn_of(const FaceMesh& mesh) {
 }
 
 bool shows_eyes(const cv::Mat3b& picture, const FaceMesh& mesh) {
-    constexpr double kShaded = 0.55;
-    constexpr double kUniform = 0.25;
+    constexpr double shaded = 0.55;
+    constexpr double uniform = 0.25;
     const Sides sides = sides_of(turn_of(mesh));
     double light_around = 0.0;
     double contrast = 0.0;
@@ -223,24 +223,24 @@ bool shows_eyes(const cv::Mat3b& picture, const FaceMesh& mesh) {
         contrast += signs->contrast;
         ++eyes;
     }
-    return eyes == 0 || light_around >= kShaded * eyes || contrast >= kUniform * eyes;
+    return eyes == 0 || light_around >= shaded * eyes || contrast >= uniform * eyes;
 }
 
 std::vector<PartLine> face_lines(const FaceMesh& mesh, bool has_eyes) {
     const FaceTurn turn = turn_of(mesh);
-    const bool is_profile = turn.narrower_share < kNearProfile;
+    const bool is_profile = turn.narrower_share < near_profile;
     const Sides sides = sides_of(turn);
     std::vector<PartLine> lines;
     const auto add = [&](bool is_shown, FacePart part, const auto& line) {
         if (is_shown) lines.push_back({part, line()});
     };
-    add(!is_profile, FacePart::face, [&] { return through(mesh, kOval, true); });
+    add(!is_profile, FacePart::face, [&] { return through(mesh, oval, true); });
     add(has_eyes && sides.left, FacePart::left_eye,
-        [&] { return line_of(mesh, kLeftEye, kClosedEye); });
+        [&] { return line_of(mesh, kLeftEye, closed_eye); });
     add(has_eyes && sides.right, FacePart::right_eye,
-        [&] { return line_of(mesh, kRightEye, kClosedEye); });
+        [&] { return line_of(mesh, kRightEye, closed_eye); });
     add(true, FacePart::mouth, [&] {
-        return is_profile ? half_mouth(mesh, sides.left) : line_of(mesh, kMouth, kClosedMouth);
+        return is_profile ? half_mouth(mesh, sides.left) : line_of(mesh, kMouth, closed_mouth);
     });
     add(!is_profile, FacePart::nose, [&] { return through(mesh, kRidge, false); });
     add(sides.left, FacePart::left_brow, [&] { return middle_line(mesh, kLeftBrow); });
@@ -258,10 +258,10 @@ std::vector<std::vector<cv::Point2d>> face_halves(const FaceMesh& mesh) {
     for (const std::size_t i : kMiddle) middle.push_back(mesh[i]);
     std::vector<cv::Point2d> left = middle;
     std::vector<cv::Point2d> right = middle;
-    constexpr std::size_t kChin = kOval.size() / 2;
-    for (std::size_t k = 1; k < kChin; ++k) {
-        left.push_back(mesh[kOval[kChin + k]]);
-        right.push_back(mesh[kOval[kChin - k]]);
+    constexpr std::size_t chin = oval.size() / 2;
+    for (std::size_t k = 1; k < chin; ++k) {
+        left.push_back(mesh[oval[chin + k]]);
+        right.push_back(mesh[oval[chin - k]]);
     }
     return {left, right};
 }

@@ -59,10 +59,10 @@ constexpr double kMargin_mm = 2.0;  // above the head, so that a finger can go r
 constexpr double kStep_mm = 0.25;
 constexpr double kClear_mm = kLeastApart_mm + 0.5 * kStep_mm;  // of points
 constexpr double kMostMoved_mm = 3.0;
-constexpr double kLeastShown = 0.4;  // of a part, or it is not shown at all
+constexpr double least_shown = 0.4;  // of a part, or it is not shown at all
 
-constexpr ShapingScale kOutlineScale{kStep_mm, 0.7, 6.0};
-constexpr ShapingScale kPartScale{kStep_mm, 0.3, 2.0};
+constexpr ShapingScale outline_scale{kStep_mm, 0.7, 6.0};
+constexpr ShapingScale part_scale{kStep_mm, 0.3, 2.0};
 
 int detail_of(FacePart part) {
     switch (part) {
@@ -89,30 +89,30 @@ bool is_eye(FacePart part) {
 
 /// Returns the top of hair or hat, above the face.
 double top_of(const cv::Rect2d& face, const std::vector<PartLine>& lines) {
-    constexpr double kBeside = 0.75;  // of the face's width, from its middle
-    constexpr double kHighest = 1.0;  // of its height, above it
+    constexpr double beside = 0.75;  // of the face's width, from its middle
+    constexpr double highest = 1.0;  // of its height, above it
     double top = face.y;
     for (const PartLine& line : lines) {
         if (line.part != FacePart::person) continue;
         for (const EdgePoint& p : line.line.points) {
             const bool is_above =
-                std::abs(p.at.x - face.x - 0.5 * face.width) < kBeside * face.width;
+                std::abs(p.at.x - face.x - 0.5 * face.width) < beside * face.width;
             if (is_above) top = std::min(top, p.at.y);
         }
     }
-    return std::max(top, face.y - kHighest * face.height);
+    return std::max(top, face.y - highest * face.height);
 }
 
 /// Returns the part of the picture that fills the area.
 cv::Rect2d part_shown(const cv::Rect2d& face, const std::vector<PartLine>& lines,
                       cv::Size2d area_mm) {
-    constexpr double kShoulders = 0.35;  // of the face's height, below the chin
-    constexpr double kBeside = 0.2;      // of its width, on either side
+    constexpr double shoulders = 0.35;  // of the face's height, below the chin
+    constexpr double beside = 0.2;      // of its width, on either side
     const double top = top_of(face, lines);
-    const double height = face.br().y + kShoulders * face.height - top;
+    const double height = face.br().y + shoulders * face.height - top;
     const double mm_per_px =
         std::min((area_mm.height - kMargin_mm) / height,
-                 (area_mm.width - 2.0 * kMargin_mm) / ((1.0 + 2.0 * kBeside) * face.width));
+                 (area_mm.width - 2.0 * kMargin_mm) / ((1.0 + 2.0 * beside) * face.width));
     const cv::Size2d size(area_mm.width / mm_per_px, area_mm.height / mm_per_px);
     return {face.x + 0.5 * (face.width - size.width), top - kMargin_mm / mm_per_px, size.width,
             size.height};
@@ -164,7 +164,7 @@ class FaceDrawing {
             return p.at.x >= 0.0 && p.at.y >= 0.0 && p.at.x <= area_mm_.width &&
                    p.at.y <= area_mm_.height;
         };
-        cut_by_place(shaped(line, kOutlineScale), is_within, [&](const Chain& stretch, bool is_in) {
+        cut_by_place(shaped(line, outline_scale), is_within, [&](const Chain& stretch, bool is_in) {
             if (!is_in || stretch.points.size() < 2) return;
             for (const Chain& simple : without_self_crossings(stretch, kShortestLine_mm)) {
                 add_spaced(part, {simple, false, false});
@@ -175,11 +175,11 @@ class FaceDrawing {
     /// Adds a part by itself, moved a little if that keeps it clear; it touches nothing. A ring is
     /// shown whole or as one line; one without corners, which has no middle, is left out.
     void add_part(FacePart part, const Chain& whole, cv::Point2d way) {
-        Chain line = clear_of_others(shaped(whole, kPartScale), way);
+        Chain line = clear_of_others(shaped(whole, part_scale), way);
         if (line.is_closed && !(is_clear(line) && !too_near_itself(line, spaced_.scale()))) {
             line = middle_of(whole);
             if (line.is_closed) return;
-            line = clear_of_others(shaped(line, kPartScale), way);
+            line = clear_of_others(shaped(line, part_scale), way);
         }
         std::optional<Chain> longest;
         cut_by_place(
@@ -189,7 +189,7 @@ class FaceDrawing {
                     longest = stretch;
             });
         if (!longest || crosses_itself_in_map(*longest)) return;
-        const double least_mm = std::max(kShortestLine_mm, kLeastShown * length_of(line));
+        const double least_mm = std::max(kShortestLine_mm, least_shown * length_of(line));
         if (length_of(*longest) >= least_mm) keep(part, {std::move(*longest), {}, {}, 0, {}});
     }
 

@@ -11,9 +11,9 @@
 namespace touchline {
 namespace {
 
-constexpr std::size_t kMostBoxes = 16;
-constexpr double kLeastLikelihood = 0.5;
-constexpr double kShared = 0.3;  // of a box: then it is the same face again
+constexpr std::size_t most_boxes = 16;
+constexpr double least_likelihood = 0.5;
+constexpr double shared = 0.3;  // of a box: then it is the same face again
 constexpr double kLeastSide_px = 4.0;
 
 cv::Point2d anchor(int row) {
@@ -51,15 +51,15 @@ FaceBox box_at(const cv::Mat1f& places, int row) {
 
 bool is_apart(const FaceBox& box, const std::vector<FaceBox>& others) {
     return std::ranges::none_of(others, [&](const FaceBox& other) {
-        return (box.box & other.box).area() >= kShared * box.box.area();
+        return (box.box & other.box).area() >= shared * box.box.area();
     });
 }
 
 constexpr int kMesh_px = 192;       // side of its input
 constexpr double kAround = 1.5;     // side of what the mesh's network sees, in sides of the face
-constexpr double kLeastSure = 0.9;  // measured: tests/lab/bench/vision/faces_and_names.md
-constexpr std::size_t kMostPersons = 8;
-constexpr std::size_t kMostFaces = 8;
+constexpr double least_sure = 0.9;  // measured: tests/lab/bench/vision/faces_and_names.md
+constexpr std::size_t most_persons = 8;
+constexpr std::size_t most_faces = 8;
 
 /// An upright square in which a face lies as if it were upright itself.
 struct Window {
@@ -128,7 +128,7 @@ cv::Mat3b seen_in(const cv::Mat3b& picture, const Window& window) {
 /// Returns the mesh in the picture; nothing if its points lie nowhere near the window, or all in
 /// one place.
 std::optional<FaceMesh> mesh_of(const cv::Mat1f& answer, const Window& window) {
-    constexpr double kLeastMesh = 0.1;  // of the window's side
+    constexpr double least_mesh = 0.1;  // of the window's side
     const cv::Matx23d way = from_window(window);
     FaceMesh mesh;
     for (std::size_t i = 0; i < mesh.size(); ++i) {
@@ -139,24 +139,24 @@ std::optional<FaceMesh> mesh_of(const cv::Mat1f& answer, const Window& window) {
         mesh[i] = way * cv::Vec3d(x, y, 1.0);
     }
     const cv::Rect2d box = box_of(mesh);
-    if (!(std::min(box.width, box.height) >= kLeastMesh * window.side_px)) return std::nullopt;
+    if (!(std::min(box.width, box.height) >= least_mesh * window.side_px)) return std::nullopt;
     return mesh;
 }
 
 /// Returns whether a face is the head of one of the persons, and wide enough.
 bool counts(const FaceMesh& mesh, std::span<const cv::Rect2d> persons) {
-    constexpr double kWidest = 1.2;  // in widths of the person: boxes of heads are tight
+    constexpr double widest = 1.2;  // in widths of the person: boxes of heads are tight
     const cv::Rect2d face = box_of(mesh);
     if (!(face.width >= kLeastFace_px)) return false;
     return std::ranges::any_of(persons, [&](const cv::Rect2d& person) {
-        return person.contains(centre_of(face)) && face.width <= kWidest * person.width;
+        return person.contains(centre_of(face)) && face.width <= widest * person.width;
     });
 }
 
 /// Returns the first boxes, as far as they lie in the picture; those outside it are left out.
 std::vector<cv::Rect2d> boxes_within(std::span<const cv::Rect2d> boxes, cv::Size picture) {
     std::vector<cv::Rect2d> within;
-    for (const cv::Rect2d& box : boxes.first(std::min(boxes.size(), kMostPersons))) {
+    for (const cv::Rect2d& box : boxes.first(std::min(boxes.size(), most_persons))) {
         const cv::Rect2d part = box_within(box, picture);
         if (!part.empty()) within.push_back(part);
     }
@@ -166,20 +166,20 @@ std::vector<cv::Rect2d> boxes_within(std::span<const cv::Rect2d> boxes, cv::Size
 /// Returns the upper end of a person, where the head is.
 cv::Rect head_part(const cv::Rect2d& person, cv::Size picture) {
     constexpr double kLeastPart_px = 40.0;
-    constexpr double kSide = 0.9;   // of the person's width
+    constexpr double side = 0.9;    // of the person's width
     constexpr double kAbove = 0.1;  // of the side: hair above the box
-    const double side_px = std::max(kLeastPart_px, kSide * person.width);
+    const double side_px = std::max(kLeastPart_px, side * person.width);
     return part_within(
         {person.x + 0.5 * (person.width - side_px), person.y - kAbove * side_px, side_px, side_px},
         picture);
 }
 
 void add_unless_there(const FaceMesh& mesh, std::vector<FaceMesh>& faces) {
-    constexpr double kSameFace = 0.4;  // of the smaller box, if both are the same face
+    constexpr double same_face = 0.4;  // of the smaller box, if both are the same face
     const cv::Rect2d box = box_of(mesh);
     const bool is_there = std::ranges::any_of(faces, [&](const FaceMesh& other) {
         return (box & box_of(other)).area() >=
-               kSameFace * std::min(box.area(), box_of(other).area());
+               same_face * std::min(box.area(), box_of(other).area());
     });
     if (!is_there) faces.push_back(mesh);
 }
@@ -196,7 +196,7 @@ std::vector<FaceBox> face_boxes(const cv::Mat1f& scores, const cv::Mat1f& places
     std::vector<FaceBox> all;
     for (int row = 0; row < scores.rows; ++row) {
         const double likelihood = 1.0 / (1.0 + std::exp(-static_cast<double>(scores(row, 0))));
-        if (!(likelihood >= kLeastLikelihood)) continue;
+        if (!(likelihood >= least_likelihood)) continue;
         FaceBox box = box_at(places, row);
         box.likelihood = likelihood;
         if (is_box_of_the_input(box)) all.push_back(box);
@@ -204,7 +204,7 @@ std::vector<FaceBox> face_boxes(const cv::Mat1f& scores, const cv::Mat1f& places
     std::ranges::stable_sort(all, std::ranges::greater{}, &FaceBox::likelihood);
     std::vector<FaceBox> kept;
     add_apart(all, kept);
-    if (kept.size() > kMostBoxes) kept.resize(kMostBoxes);
+    if (kept.size() > most_boxes) kept.resize(most_boxes);
     return kept;
 }
 
@@ -284,12 +284,12 @@ Result<std::vector<FaceMesh>> FaceNetwork::faces(const cv::Mat3b& picture,
     for (const FaceBox& box : boxes) {
         const auto laid = laid_on(picture, box);
         if (!laid) return tl::unexpected(laid.error());
-        if (*laid && (*laid)->sure > kLeastSure && counts((*laid)->mesh, within))
+        if (*laid && (*laid)->sure > least_sure && counts((*laid)->mesh, within))
             add_unless_there((*laid)->mesh, faces);
     }
     std::ranges::stable_sort(faces, std::ranges::greater{},
                              [](const FaceMesh& mesh) { return box_of(mesh).width; });
-    if (faces.size() > kMostFaces) faces.resize(kMostFaces);
+    if (faces.size() > most_faces) faces.resize(most_faces);
     return faces;
 }
 

@@ -15,10 +15,10 @@ namespace touchline {
 namespace {
 
 constexpr int kSide_px = 256;
-constexpr int kMostPeople = 5;
+constexpr int most_people = 5;
 constexpr double kLeastShare = 1.0 / 80.0;  // of the picture
-constexpr double kSeenBeyond = 0.12;   // of a box's longer side: what the network sees round it
-constexpr double kTakenBeyond = 0.04;  // and how much of that counts
+constexpr double seen_beyond = 0.12;   // of a box's longer side: what the network sees round it
+constexpr double taken_beyond = 0.04;  // and how much of that counts
 
 cv::Rect grown(const cv::Rect2d& box, double share, cv::Size picture) {
     const double by = share * std::max(box.width, box.height);
@@ -54,10 +54,10 @@ Result<cv::Mat1f> people_likelihood(const cv::Mat3b& picture, std::span<const cv
     cv::Mat1f likelihood(picture.size(), 0.0F);
     int seen = 0;
     for (const cv::Rect2d& box : people) {
-        const cv::Rect part = grown(box, kSeenBeyond, picture.size());
-        const cv::Rect taken = grown(box, kTakenBeyond, picture.size()) & part;
+        const cv::Rect part = grown(box, seen_beyond, picture.size());
+        const cv::Rect taken = grown(box, taken_beyond, picture.size()) & part;
         if (!is_large(box, picture.size()) || taken.empty()) continue;
-        if (++seen > kMostPeople) break;
+        if (++seen > most_people) break;
         const auto mask = network.mask_of(picture, part);
         if (!mask) return tl::unexpected(mask.error());
         cv::Mat1f here;

@@ -48,8 +48,8 @@ class Working {
 /// Returns the mask without notches and tongues that are too narrow for a finger when the face is
 /// felt as large as it fits. All of the face counts as person.
 cv::Mat1f soft_mask(const PersonMask& person, const FaceMesh& mesh, const Working& working) {
-    constexpr double kNarrow = 0.03;     // of the face's height, to either side
-    constexpr double kSmoothing = 0.02;  // likewise
+    constexpr double narrow = 0.03;     // of the face's height, to either side
+    constexpr double smoothing = 0.02;  // likewise
     cv::Mat1f soft;
     person.mask.convertTo(soft, CV_32F);
     cv::resize(soft, soft, working.size(), 0.0, 0.0, cv::INTER_LINEAR);
@@ -60,7 +60,7 @@ cv::Mat1f soft_mask(const PersonMask& person, const FaceMesh& mesh, const Workin
     }
     const double face_px =
         std::clamp(working.scale() * box_of(mesh).height, 1.0, double{kWorking_px});
-    const int narrow_px = std::max(1, cvRound(kNarrow * face_px));
+    const int narrow_px = std::max(1, cvRound(narrow * face_px));
     const cv::Mat disc =
         cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * narrow_px + 1, 2 * narrow_px + 1});
     const int rim_px = 2 * narrow_px;  // so that the sides of the part change nothing
@@ -70,7 +70,7 @@ cv::Mat1f soft_mask(const PersonMask& person, const FaceMesh& mesh, const Workin
         cv::morphologyEx(wide, wide, change, disc);
     }
     soft = wide(cv::Rect({rim_px, rim_px}, soft.size())).clone();
-    const double sigma_px = std::max(1.0, kSmoothing * face_px);
+    const double sigma_px = std::max(1.0, smoothing * face_px);
     cv::GaussianBlur(soft, soft, {}, sigma_px, sigma_px, cv::BORDER_REPLICATE);
     return soft;
 }
@@ -80,10 +80,10 @@ cv::Mat1f soft_mask(const PersonMask& person, const FaceMesh& mesh, const Workin
 cv::Rect head_and_shoulders(const FaceMesh& mesh, cv::Size picture) {
     constexpr double kAbove = 0.9;  // of the face's height
     constexpr double kBelow = 1.1;
-    constexpr double kBeside = 1.4;  // of its greater side, from its middle
+    constexpr double beside = 1.4;  // of its greater side, from its middle
     const cv::Rect2d face = box_of(mesh);
     const cv::Point2d middle = centre_of(face);
-    const double beside_px = kBeside * std::max(face.width, face.height);
+    const double beside_px = beside * std::max(face.width, face.height);
     const cv::Rect2d part(middle.x - beside_px, face.y - kAbove * face.height, 2.0 * beside_px,
                           (1.0 + kAbove + kBelow) * face.height);
     return part_within(part, picture);

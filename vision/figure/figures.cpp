@@ -15,18 +15,18 @@
 namespace touchline {
 namespace {
 
-constexpr double kMaskPixels = 1e6;
-constexpr uchar kLimit = 128;         // of a mask
+constexpr double mask_pixels = 1e6;
+constexpr uchar limit = 128;          // of a mask
 constexpr float kFigure = 0.3F;       // likelihood: measured, tests/lab/bench/vision/photographs.md
-constexpr double kLeastPart = 0.05;   // of all figures
-constexpr double kLeastArea = 0.002;  // of the picture
-constexpr double kLeastHole = 0.004;  // of the picture
-constexpr double kBeside = 0.05;      // of a part: this near to a thing, a hand means it
+constexpr double least_part = 0.05;   // of all figures
+constexpr double least_area = 0.002;  // of the picture
+constexpr double least_hole = 0.004;  // of the picture
+constexpr double beside = 0.05;       // of a part: this near to a thing, a hand means it
 constexpr double kGround = 0.8;       // of a part
 
 cv::Size mask_size(cv::Size picture) {
     const double pixels = static_cast<double>(picture.width) * picture.height;
-    const double scale = std::min(1.0, std::sqrt(kMaskPixels / pixels));
+    const double scale = std::min(1.0, std::sqrt(mask_pixels / pixels));
     return {std::max(1, cvRound(scale * picture.width)),
             std::max(1, cvRound(scale * picture.height))};
 }
@@ -88,23 +88,23 @@ void change(const Pieces& pieces, uchar value, IsOut is_out, cv::Mat1b& mask) {
 /// Removes parts that are too small to be a thing, and fills small holes.
 void clean(cv::Mat1b& mask) {
     const auto pixels = static_cast<double>(mask.total());
-    const cv::Mat is_figure = mask >= kLimit;
-    const double least_px = std::max(kLeastPart * cv::countNonZero(is_figure), kLeastArea * pixels);
+    const cv::Mat is_figure = mask >= limit;
+    const double least_px = std::max(least_part * cv::countNonZero(is_figure), least_area * pixels);
     const Pieces parts(is_figure);
     change(
-        parts, kLimit - 1, [&](int part) { return parts.area(part) < least_px; }, mask);
-    const Pieces holes(mask < kLimit);
+        parts, limit - 1, [&](int part) { return parts.area(part) < least_px; }, mask);
+    const Pieces holes(mask < limit);
     change(
-        holes, kLimit,
+        holes, limit,
         [&](int hole) {
-            return holes.area(hole) < kLeastHole * pixels &&
+            return holes.area(hole) < least_hole * pixels &&
                    !touches_frame(holes.box(hole), mask.size());
         },
         mask);
 }
 
 std::vector<cv::Rect> boxes_of(const cv::Mat1b& mask) {
-    const Pieces parts(mask >= kLimit);
+    const Pieces parts(mask >= limit);
     std::vector<int> order;
     for (int part = 1; part < parts.count; ++part) order.push_back(part);
     std::ranges::stable_sort(order, std::ranges::greater{},
@@ -134,9 +134,9 @@ int nearest_piece(const Pieces& pieces, cv::Point at, double reach_px) {
 /// Returns the part of a mask a little inside its edge; all of anything thinner.
 cv::Mat along_edge(const cv::Mat& mask) {
     constexpr double kNearest = 0.013;  // of the picture's side
-    constexpr double kFarthest = 0.039;
+    constexpr double farthest = 0.039;
     const cv::Mat1f depth_px = depth_of(mask);
-    cv::Mat along = (depth_px > kNearest * mask.cols) & (depth_px <= kFarthest * mask.cols);
+    cv::Mat along = (depth_px > kNearest * mask.cols) & (depth_px <= farthest * mask.cols);
     return cv::countNonZero(along) > 0 ? along : mask;
 }
 
@@ -152,11 +152,11 @@ double contrast_of(const cv::Mat1f& likelihood) {
 /// Derived from pictures that somebody looked at, and which of their masks show a thing.
 bool is_sure_of(const FigureSigns& signs) {
     constexpr double kLeastContrast = 0.67;
-    constexpr double kLeastSeen = 0.003;
-    return signs.contrast >= kLeastContrast && signs.area >= kLeastSeen;
+    constexpr double least_seen = 0.003;
+    return signs.contrast >= kLeastContrast && signs.area >= least_seen;
 }
 
-constexpr float kFigureLevel = 127.5F;
+constexpr float figure_level = 127.5F;
 constexpr double kReach_mm = 1.5;  // the edge of a thing may lie off its mask
 constexpr double kSmoothing_px = 1.5;
 
@@ -173,7 +173,7 @@ cv::Mat1f fitted(const cv::Mat1b& mask, cv::Size size) {
 std::vector<Chain> rings_of(const cv::Mat1f& soft, const cv::Mat1f& strength, double reach_px,
                             double shortest_px, double high) {
     std::vector<Chain> rings;
-    for (const Chain& line : iso_rings(soft, kFigureLevel)) {
+    for (const Chain& line : iso_rings(soft, figure_level)) {
         if (length_of(line) < shortest_px) continue;
         Chain ring = resampled(line, 1.0);
         snap(ring, strength, reach_px);
@@ -226,7 +226,7 @@ Figures figures_of(const cv::Mat1f& likelihood, cv::Size picture) {
     clean(figures.mask);
     figures.boxes = boxes_of(figures.mask);
     figures.signs = {
-        cv::countNonZero(figures.mask >= kLimit) / static_cast<double>(figures.mask.total()),
+        cv::countNonZero(figures.mask >= limit) / static_cast<double>(figures.mask.total()),
         contrast_of(likelihood)};
     figures.is_sure = !figures.boxes.empty() && is_sure_of(figures.signs);
     return figures;
@@ -254,9 +254,9 @@ Figures figure_at(const cv::Mat1f& likelihood, const cv::Rect& part, cv::Size pi
         cv::Rect({}, size);
     cv::Mat1b fitted;
     cv::resize(seen.mask, fitted, lies.size(), 0.0, 0.0, cv::INTER_AREA);
-    const Pieces things(fitted >= kLimit);
+    const Pieces things(fitted >= limit);
     const cv::Point at(cvFloor(scale_x * place.x) - lies.x, cvFloor(scale_y * place.y) - lies.y);
-    const int thing = nearest_piece(things, at, kBeside * std::max(lies.width, lies.height));
+    const int thing = nearest_piece(things, at, beside * std::max(lies.width, lies.height));
     Figures found{cv::Mat1b(size, uchar{0}), {}, seen.signs, false};
     if (thing == 0) return found;
     fitted.setTo(0, (things.number != thing) & (things.number != 0));
@@ -284,7 +284,7 @@ PhotoLines with_figure(PhotoLines lines, const cv::Mat& picture, const cv::Mat1b
     const auto place_of = [&](const EdgePoint& p) {
         const cv::Point at = pixel_at(p.at, soft.size());
         if (distance(at) < beside_px) return RingSide::on_ring;
-        return soft(at) > kFigureLevel ? RingSide::inside : RingSide::outside;
+        return soft(at) > figure_level ? RingSide::inside : RingSide::outside;
     };
     const std::vector<Chain> all = std::exchange(lines.chains, std::move(felt));
     for (const Chain& line : all) {

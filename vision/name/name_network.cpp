@@ -11,11 +11,11 @@
 namespace touchline {
 namespace {
 
-constexpr double kSameThing = 0.5;
-constexpr double kSamePlace = 0.7;
+constexpr double same_thing = 0.5;
+constexpr double same_place = 0.7;
 
 /// The columns of `distances` of the left, upper, right and lower side, seen in a mirror.
-constexpr std::array kMirroredSides{2, 1, 0, 3};
+constexpr std::array mirrored_sides{2, 1, 0, 3};
 
 /// Returns the mean of the steps by their softmax, in cells.
 double distance_of(const float* logits) {
@@ -60,10 +60,10 @@ void add_detections(const GridAnswer& answer, const Letterbox& letterbox,
 }
 
 bool are_one(const Detection& a, const Detection& b) {
-    return overlap_of(a.box, b.box) > (a.kind == b.kind ? kSameThing : kSamePlace);
+    return overlap_of(a.box, b.box) > (a.kind == b.kind ? same_thing : same_place);
 }
 
-constexpr std::array kGridSides{52, 26, 13};
+constexpr std::array grid_sides{52, 26, 13};
 
 cv::Mat3b in_square(const cv::Mat3b& picture, const Letterbox& letterbox) {
     cv::Mat3b square(names_side_px, names_side_px, cv::Vec3b(0, 0, 0));
@@ -82,7 +82,7 @@ cv::Mat input_of(const cv::Mat3b& square) {
 
 std::vector<std::vector<int>> shapes() {
     std::vector<std::vector<int>> shapes;
-    for (const int side : kGridSides) {
+    for (const int side : grid_sides) {
         shapes.push_back({1, side * side, known_kinds});
         shapes.push_back({1, side * side, 4 * distance_steps});
     }
@@ -108,7 +108,7 @@ GridAnswer mean_of(const GridAnswer& upright, const GridAnswer& mirrored) {
             value = 0.5F * value + 0.5F * mirrored.likelihoods(opposite, kind);
         }
         for (int column = 0; column < 4 * distance_steps; ++column) {
-            const int side = kMirroredSides[static_cast<std::size_t>(column / distance_steps)];
+            const int side = mirrored_sides[static_cast<std::size_t>(column / distance_steps)];
             float& value = mean.distances(cell, column);
             value = 0.5F * value + 0.5F * mirrored.distances(opposite, side * distance_steps +
                                                                            column % distance_steps);
@@ -141,8 +141,8 @@ Result<std::vector<GridAnswer>> NameNetwork::answers(const cv::Mat3b& square) {
     const auto found = network_.outputs(input_of(square), shapes());
     if (!found) return tl::unexpected(found.error());
     std::vector<GridAnswer> answers;
-    for (std::size_t i = 0; i < kGridSides.size(); ++i) {
-        const GridAnswer answer{kGridSides[i], (*found)[2 * i], (*found)[2 * i + 1]};
+    for (std::size_t i = 0; i < grid_sides.size(); ++i) {
+        const GridAnswer answer{grid_sides[i], (*found)[2 * i], (*found)[2 * i + 1]};
         if (!are_likelihoods(answer.likelihoods))
             return network_.unusable("its output is no likelihood");
         answers.push_back(answer);

@@ -9,22 +9,22 @@ namespace touchline {
 namespace {
 
 /// The likelihoods from which "an animal" or "a vehicle" is said.
-constexpr double kAnimalFrom = 0.5;
-constexpr double kVehicleFrom = 0.6;
+constexpr double animal_from = 0.5;
+constexpr double vehicle_from = 0.6;
 /// Beside a thing that has a word, another of the same kind is likely: it counts from here on.
-constexpr double kCountedFrom = 0.45;
+constexpr double counted_from = 0.45;
 
 /// A kind's own word is said from one of these on, by what else is taken for it (README.md). For
 /// the first, hardly anything is: only dolls and towels for people.
-constexpr double kHardlyMistaken = 0.6;
+constexpr double hardly_mistaken = 0.6;
 /// Some things are taken for these: hills for beds, pianos for benches, llamas for dogs.
-constexpr double kMistaken = 0.68;
+constexpr double mistaken = 0.68;
 /// Many things are taken for these: wild dogs for cats, lizards for birds, bisons for sheep, sharks
 /// for aeroplanes.
-constexpr double kOftenMistaken = 0.72;
+constexpr double often_mistaken = 0.72;
 /// These have look-alikes that the network does not know, and it is almost sure of them: it takes
 /// tigers for zebras, rhinoceroses for elephants, baboons for bears.
-constexpr double kLookAlike = 0.82;
+constexpr double look_alike = 0.82;
 
 struct SaidKind {
     int kind = 0;  // in COCO's order
@@ -33,41 +33,41 @@ struct SaidKind {
 };
 
 /// A kind that is not listed here is never said.
-constexpr std::array kSaidKinds{SaidKind{0, ThingName::person, kHardlyMistaken},
-                                SaidKind{1, ThingName::bicycle, kOftenMistaken},
-                                SaidKind{2, ThingName::car, kHardlyMistaken},
-                                SaidKind{3, ThingName::motorcycle, kOftenMistaken},
-                                SaidKind{4, ThingName::aeroplane, kOftenMistaken},
-                                SaidKind{5, ThingName::bus, kOftenMistaken},
-                                SaidKind{6, ThingName::train, kOftenMistaken},
-                                SaidKind{7, ThingName::truck, kOftenMistaken},
-                                SaidKind{8, ThingName::boat, kOftenMistaken},
-                                SaidKind{13, ThingName::bench, kMistaken},
-                                SaidKind{14, ThingName::bird, kOftenMistaken},
-                                SaidKind{15, ThingName::cat, kOftenMistaken},
-                                SaidKind{16, ThingName::dog, kMistaken},
-                                SaidKind{17, ThingName::horse, kOftenMistaken},
-                                SaidKind{18, ThingName::sheep, kOftenMistaken},
-                                SaidKind{19, ThingName::cow, kOftenMistaken},
-                                SaidKind{20, ThingName::elephant, kLookAlike},
-                                SaidKind{21, ThingName::bear, kLookAlike},
-                                SaidKind{22, ThingName::zebra, kLookAlike},
-                                SaidKind{23, ThingName::giraffe, kOftenMistaken},
-                                SaidKind{25, ThingName::umbrella, kMistaken},
-                                SaidKind{56, ThingName::chair, kMistaken},
-                                SaidKind{57, ThingName::sofa, kMistaken},
-                                SaidKind{58, ThingName::potted_plant, kMistaken},
-                                SaidKind{59, ThingName::bed, kMistaken},
-                                SaidKind{60, ThingName::table, kMistaken},
-                                SaidKind{62, ThingName::screen, kMistaken},
-                                SaidKind{72, ThingName::refrigerator, kMistaken}};
+constexpr std::array said_kinds{SaidKind{0, ThingName::person, hardly_mistaken},
+                                SaidKind{1, ThingName::bicycle, often_mistaken},
+                                SaidKind{2, ThingName::car, hardly_mistaken},
+                                SaidKind{3, ThingName::motorcycle, often_mistaken},
+                                SaidKind{4, ThingName::aeroplane, often_mistaken},
+                                SaidKind{5, ThingName::bus, often_mistaken},
+                                SaidKind{6, ThingName::train, often_mistaken},
+                                SaidKind{7, ThingName::truck, often_mistaken},
+                                SaidKind{8, ThingName::boat, often_mistaken},
+                                SaidKind{13, ThingName::bench, mistaken},
+                                SaidKind{14, ThingName::bird, often_mistaken},
+                                SaidKind{15, ThingName::cat, often_mistaken},
+                                SaidKind{16, ThingName::dog, mistaken},
+                                SaidKind{17, ThingName::horse, often_mistaken},
+                                SaidKind{18, ThingName::sheep, often_mistaken},
+                                SaidKind{19, ThingName::cow, often_mistaken},
+                                SaidKind{20, ThingName::elephant, look_alike},
+                                SaidKind{21, ThingName::bear, look_alike},
+                                SaidKind{22, ThingName::zebra, look_alike},
+                                SaidKind{23, ThingName::giraffe, often_mistaken},
+                                SaidKind{25, ThingName::umbrella, mistaken},
+                                SaidKind{56, ThingName::chair, mistaken},
+                                SaidKind{57, ThingName::sofa, mistaken},
+                                SaidKind{58, ThingName::potted_plant, mistaken},
+                                SaidKind{59, ThingName::bed, mistaken},
+                                SaidKind{60, ThingName::table, mistaken},
+                                SaidKind{62, ThingName::screen, mistaken},
+                                SaidKind{72, ThingName::refrigerator, mistaken}};
 
 using Things = std::vector<NamedThing>;
 using Words = std::set<ThingName>;
 
 const SaidKind* said_kind(const Detection& found) {
-    const auto* const at = std::ranges::find(kSaidKinds, found.kind, &SaidKind::kind);
-    return at == kSaidKinds.end() ? nullptr : at;
+    const auto* const at = std::ranges::find(said_kinds, found.kind, &SaidKind::kind);
+    return at == said_kinds.end() ? nullptr : at;
 }
 
 /// Returns "an animal" or "a vehicle"; nothing for anything else.
@@ -78,7 +78,7 @@ std::optional<ThingName> general_word(ThingName name) {
 }
 
 double general_from(ThingName general) {
-    return general == ThingName::animal ? kAnimalFrom : kVehicleFrom;
+    return general == ThingName::animal ? animal_from : vehicle_from;
 }
 
 /// Collects all own words, and a general one if none of its kind has an own word: beside a dog, "an
@@ -103,7 +103,7 @@ Words words_for(std::span<const Detection> found) {
 
 std::optional<ThingName> word_of(const Detection& detection, const Words& words) {
     const SaidKind* kind = said_kind(detection);
-    if (kind == nullptr || detection.likelihood < kCountedFrom) return std::nullopt;
+    if (kind == nullptr || detection.likelihood < counted_from) return std::nullopt;
     if (words.contains(kind->name)) return kind->name;
     const auto general = general_word(kind->name);
     return general && words.contains(*general) ? general : std::nullopt;

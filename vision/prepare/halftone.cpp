@@ -14,12 +14,12 @@ constexpr int kMostCrop_px = 512;
 constexpr int kLeastCrop_px = 64;
 constexpr double kWidest_px = 16.0;  // apart
 constexpr double kClosest_px = 2.5;
-constexpr int kPeak = 2;           // steps of frequency round a peak that belong to it
-constexpr double kShare = 0.25;    // of the power at such frequencies, in both peaks
-constexpr double kOvertone = 0.3;  // of its power: if more is at a half or a third of its frequency
-constexpr double kAlike = 0.15;    // of the pitch
-constexpr double kLeastAngle = 40.0 * std::numbers::pi / 180.0;
-constexpr double kBlurOverPitch = 0.55;
+constexpr int kPeak = 2;          // steps of frequency round a peak that belong to it
+constexpr double kShare = 0.25;   // of the power at such frequencies, in both peaks
+constexpr double overtone = 0.3;  // of its power: if more is at a half or a third of its frequency
+constexpr double kAlike = 0.15;   // of the pitch
+constexpr double least_angle = 40.0 * std::numbers::pi / 180.0;
+constexpr double blur_over_pitch = 0.55;
 
 /// Returns the power of each frequency of the picture's middle; frequency zero is in the middle of
 /// the matrix.
@@ -82,7 +82,7 @@ class Waves {
     [[nodiscard]] bool is_overtone(const cv::Point2d& wave) const {
         const double own = cv::sum(all_(around(wave)))[0];
         return std::ranges::any_of(std::array{2.0, 3.0}, [&](double times) {
-            return cv::sum(all_(around(wave / times)))[0] > kOvertone * own;
+            return cv::sum(all_(around(wave / times)))[0] > overtone * own;
         });
     }
 
@@ -112,7 +112,7 @@ class Waves {
 
 bool are_across(const cv::Point2d& a, const cv::Point2d& b) {
     const double angle = std::abs(std::atan2(a.cross(b), a.dot(b)));
-    return angle >= kLeastAngle && angle <= std::numbers::pi - kLeastAngle;
+    return angle >= least_angle && angle <= std::numbers::pi - least_angle;
 }
 
 }  // namespace
@@ -136,7 +136,7 @@ cv::Mat without_dots(const cv::Mat& picture) {
     const double pitch = dot_pitch(picture);
     if (!(pitch > 0.0)) return picture;
     cv::Mat tones;
-    cv::GaussianBlur(picture, tones, {}, kBlurOverPitch * pitch);
+    cv::GaussianBlur(picture, tones, {}, blur_over_pitch * pitch);
     return tones;
 }
 

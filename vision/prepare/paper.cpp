@@ -15,8 +15,8 @@ using Weights = std::array<Terms, 3>;
 
 constexpr int kPlaces = 20;         // along each side: where the paper is looked at
 constexpr int kSamples = 7;         // along each side of a place
-constexpr int kTries = 120;         // of random surfaces; 1 in 10 hits at 70 % paper
-constexpr double kSamePaper = 9.0;  // grey levels between a place and the surface
+constexpr int tries = 120;          // of random surfaces; 1 in 10 hits at 70 % paper
+constexpr double same_paper = 9.0;  // grey levels between a place and the surface
 
 /// One place: where it is, and the median colour there.
 struct Place {
@@ -67,9 +67,9 @@ Weights fitted(const std::vector<const Place*>& places) {
     }
     // Adds a little stiffness, so that a few places in one corner do not bend the surface out of
     // all bounds.
-    constexpr double kStiffness = 1e-3;
+    constexpr double stiffness = 1e-3;
     for (int i = 1; i < Paper::kTerms; ++i) {
-        normal(i, i) += kStiffness * static_cast<double>(places.size());
+        normal(i, i) += stiffness * static_cast<double>(places.size());
     }
     const auto inverse = normal.inv(cv::DECOMP_CHOLESKY);
     return {inverse * right[0], inverse * right[1], inverse * right[2]};
@@ -78,7 +78,7 @@ Weights fitted(const std::vector<const Place*>& places) {
 std::vector<const Place*> agreeing(const std::vector<Place>& places, const Weights& weights) {
     std::vector<const Place*> agree;
     for (const Place& place : places) {
-        if (cv::norm(place.colour - colour_at(weights, place.terms)) < kSamePaper) {
+        if (cv::norm(place.colour - colour_at(weights, place.terms)) < same_paper) {
             agree.push_back(&place);
         }
     }
@@ -99,7 +99,7 @@ std::vector<const Place*> most_agreeing(const std::vector<Place>& places) {
         if (agree.size() > best.size()) best = std::move(agree);
     };
     for (std::size_t i = 0; i < places.size(); i += 5) consider({&places[i]});
-    for (int i = 0; i < kTries; ++i) {
+    for (int i = 0; i < tries; ++i) {
         std::vector<const Place*> chosen(Paper::kTerms);
         std::ranges::generate(chosen, random_place);
         consider(chosen);
@@ -110,10 +110,10 @@ std::vector<const Place*> most_agreeing(const std::vector<Place>& places) {
 
 /// Returns the places that have exactly the colour of one of them.
 std::vector<const Place*> alike(const std::vector<Place>& places, const Place& as) {
-    constexpr double kSameColour = 0.1;  // grey levels
+    constexpr double same_colour = 0.1;  // grey levels
     std::vector<const Place*> found;
     for (const Place& place : places) {
-        if (cv::norm(place.colour - as.colour) <= kSameColour) found.push_back(&place);
+        if (cv::norm(place.colour - as.colour) <= same_colour) found.push_back(&place);
     }
     return found;
 }
@@ -137,7 +137,7 @@ std::optional<cv::Vec3f> passed_by(const Weights& surface, const std::vector<Pla
     for (const Place& place : places) {
         const std::vector<const Place*> some = alike(places, place);
         const auto on_it = std::ranges::count_if(some, [&](const Place* each) {
-            return cv::norm(each->colour - colour_at(surface, each->terms)) < kSamePaper;
+            return cv::norm(each->colour - colour_at(surface, each->terms)) < same_paper;
         });
         if (2 * static_cast<std::size_t>(on_it) < some.size() && reach_everywhere(some, places)) {
             return place.colour;
@@ -155,10 +155,10 @@ Weights even_surface(const cv::Vec3f& colour) {
 }
 
 constexpr double kLeastContrast = 12.0;
-constexpr double kContrastOverNoise = 2.0;
-constexpr double kContrastOverInk = 0.22;  // fainter than this beside the ink is dirt and shadow
-constexpr double kInkPart = 0.002;         // this part of the picture is darker than "the ink"
-constexpr int kAround_px = 9;              // where a stroke's own darkest point is looked for
+constexpr double contrast_over_noise = 2.0;
+constexpr double contrast_over_ink = 0.22;  // fainter than this beside the ink is dirt and shadow
+constexpr double kInkPart = 0.002;          // this part of the picture is darker than "the ink"
+constexpr int kAround_px = 9;               // where a stroke's own darkest point is looked for
 constexpr double kSmoothing_px = 0.7;
 
 cv::Mat1f contrast_to(const LabPicture& lab, const Paper& paper) {
@@ -253,7 +253,7 @@ cv::Mat3f painted_over(const cv::Mat3f& picture, const cv::Mat1b& mask) {
 }
 
 double least_contrast(double noise, double strongest) {
-    return std::max({kLeastContrast, kContrastOverNoise * noise, kContrastOverInk * strongest});
+    return std::max({kLeastContrast, contrast_over_noise * noise, contrast_over_ink * strongest});
 }
 
 Ink ink_of(const LabPicture& lab, double noise) {

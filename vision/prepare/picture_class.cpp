@@ -10,44 +10,44 @@
 namespace touchline {
 namespace {
 
-constexpr double kCopyPixels = 2e5;
+constexpr double copy_pixels = 2e5;
 
 // Texture: measured on half the copy.
 constexpr double kEdge_px = 1.0;   // Gaussian sigma for the edges of shapes
 constexpr double kSlow_px = 1.75;  // and for what changes between them
 constexpr int kNearEdge_px = 11;   // across, where an edge still shows at kSlow_px
 constexpr double kEdge = 5.0;      // grey levels per pixel, at least
-constexpr double kEdgeOverStrongest = 0.18;
-constexpr double kStill = 1.5;         // less is flat
-constexpr double kSlow = 1.0;          // more than a lamp's shade, less than a face's roundness
-constexpr double kSignificance = 5.0;  // x gradient noise
-constexpr float kGrainless = 1.1F;     // grey levels off the mean of the pixels around: rounding
-constexpr int kFlat_px = 5;            // across: a patch of one colour
-constexpr int kNearFlat_px = 11;       // across, round the middle of such a patch
-constexpr int kRuled_px = 16;          // long: a line that was ruled
-constexpr int kBroad_px = 9;           // across: no line is as broad, and its edges
-constexpr int kEven_px = 15;           // across: within these a computed shade has an even slope
+constexpr double edge_over_strongest = 0.18;
+constexpr double still = 1.5;         // less is flat
+constexpr double kSlow = 1.0;         // more than a lamp's shade, less than a face's roundness
+constexpr double significance = 5.0;  // x gradient noise
+constexpr float grainless = 1.1F;     // grey levels off the mean of the pixels around: rounding
+constexpr int kFlat_px = 5;           // across: a patch of one colour
+constexpr int kNearFlat_px = 11;      // across, round the middle of such a patch
+constexpr int kRuled_px = 16;         // long: a line that was ruled
+constexpr int kBroad_px = 9;          // across: no line is as broad, and its edges
+constexpr int kEven_px = 15;          // across: within these a computed shade has an even slope
 
 // Decisions; README.md says what lies on either side.
 constexpr double kTextured = 0.013;  // of the open parts: a photo
-constexpr double kMuchOpen = 0.3;    // less: the picture is full of edges, and less texture tells
-constexpr double kLeastOpen = 0.15;  // less is too little to judge texture by
+constexpr double much_open = 0.3;    // less: the picture is full of edges, and less texture tells
+constexpr double least_open = 0.15;  // less is too little to judge texture by
 constexpr double kPainted = 0.95;    // of the texture: no camera made it
-constexpr double kSpotted = 0.6;     // the same if nothing else has grain: spots of a JPEG
-constexpr double kNoGrainAtAll = 0.05;  // grey levels
-constexpr double kRuled = 0.65;         // of the texture: made-up photos have up to 0.59
-constexpr double kAllOpen = 0.995;      // with more, there is no shape, painted or not
-constexpr double kRestless = 0.6;       // of all pixels change: grass, not a pattern
-constexpr double kLittlePaper = 0.45;   // with less, no colour is the ground under the others
-constexpr double kPen_part = 0.025;     // of the diagonal: the widest stroke of a pen
-constexpr double kThin = 0.7;           // of the ink: drawn with a pen
-constexpr double kMuchPaper = 0.7;
-constexpr double kMuchInk = 0.3;
-constexpr double kPaleAreas = 0.05;  // of the picture, neither paper nor ink
-constexpr double kClear = 4.0;       // ink over the paper's own spots
-constexpr double kText = 0.5;        // of the ink
-constexpr int kLeastLines = 3;
-constexpr int kLeastLetters = 25;
+constexpr double spotted = 0.6;      // the same if nothing else has grain: spots of a JPEG
+constexpr double no_grain_at_all = 0.05;  // grey levels
+constexpr double kRuled = 0.65;           // of the texture: made-up photos have up to 0.59
+constexpr double all_open = 0.995;        // with more, there is no shape, painted or not
+constexpr double restless = 0.6;          // of all pixels change: grass, not a pattern
+constexpr double little_paper = 0.45;     // with less, no colour is the ground under the others
+constexpr double kPen_part = 0.025;       // of the diagonal: the widest stroke of a pen
+constexpr double kThin = 0.7;             // of the ink: drawn with a pen
+constexpr double much_paper = 0.7;
+constexpr double much_ink = 0.3;
+constexpr double pale_areas = 0.05;  // of the picture, neither paper nor ink
+constexpr double clear = 4.0;        // ink over the paper's own spots
+constexpr double text = 0.5;         // of the ink
+constexpr int least_lines = 3;
+constexpr int least_letters = 25;
 
 double part_of(const cv::Mat& mask, double whole) {
     return whole > 0.0 ? cv::countNonZero(mask) / whole : 0.0;
@@ -91,7 +91,7 @@ double painted_part(const cv::Mat& whole, const cv::Mat& whole_texture) {
     cv::Mat means;
     picture.convertTo(values, CV_32F);
     cv::blur(values, means, {kEven_px, kEven_px});
-    const cv::Mat even = greatest_channel(cv::abs(values - means)) <= kGrainless;
+    const cv::Mat even = greatest_channel(cv::abs(values - means)) <= grainless;
     cv::Mat asked;
     cv::resize(whole_texture(box), asked, picture.size(), 0.0, 0.0, cv::INTER_NEAREST);
     const auto all = static_cast<double>(cv::countNonZero(asked));
@@ -120,21 +120,22 @@ void measure_texture(const cv::Mat& picture, const LabPicture& copy, PictureFeat
     const double noise = 0.5 * features.noise;
     const cv::Mat1f edges = colour_gradient(half, kEdge_px).strength;
     const cv::Mat1f slow = colour_gradient(half, kSlow_px).strength;
-    const double edge = std::max({kEdge, 2.0 * kSignificance * gradient_noise(noise, kEdge_px),
-                                  kEdgeOverStrongest * static_cast<double>(quantile(edges, 0.98))});
+    const double edge =
+        std::max({kEdge, 2.0 * significance * gradient_noise(noise, kEdge_px),
+                  edge_over_strongest * static_cast<double>(quantile(edges, 0.98))});
     cv::Mat near_edge = edges >= edge;
     cv::dilate(near_edge, near_edge, cv::Mat::ones(kNearEdge_px, kNearEdge_px, CV_8U));
-    const double least = std::max(kSlow, kSignificance * gradient_noise(noise, kSlow_px));
+    const double least = std::max(kSlow, significance * gradient_noise(noise, kSlow_px));
     const cv::Mat changing = slow > least;
     const cv::Mat open = ~near_edge;
     const auto all = static_cast<double>(half.total());
     features.open_part = part_of(open, all);
     features.texture = part_of(changing & open, cv::countNonZero(open));
     features.ruled_part = ruled_part(changing & open);
-    if (features.noise < kNoGrain)  // a camera's grain answers the question at once
+    if (features.noise < no_grain)  // a camera's grain answers the question at once
         features.painted_part = painted_part(picture, changing & open);
     features.changing_part =
-        part_of(edges > std::max(kStill, kSignificance * gradient_noise(noise, kEdge_px)), all);
+        part_of(edges > std::max(still, significance * gradient_noise(noise, kEdge_px)), all);
 }
 
 /// Returns how much of the ink is within half a pen's width of the paper.
@@ -186,30 +187,30 @@ void measure_ink(const LabPicture& copy, PictureFeatures& features) {
 }
 
 ClassDecision decided(const PictureFeatures& f) {
-    const bool is_paper = f.paper_part >= kMuchPaper && f.ink_part <= kMuchInk;
-    if (is_paper && f.text_part >= kText && f.text_lines >= kLeastLines &&
-        f.letters >= kLeastLetters && f.clearness >= kClear) {
+    const bool is_paper = f.paper_part >= much_paper && f.ink_part <= much_ink;
+    if (is_paper && f.text_part >= text && f.text_lines >= least_lines &&
+        f.letters >= least_letters && f.clearness >= clear) {
         return {PictureClass::text_page,
                 "This looks like a page of text: about " + std::to_string(f.text_lines) +
                     " lines of letters.",
                 f};
     }
-    const double textured = kTextured * std::min(1.0, f.open_part / kMuchOpen);
+    const double textured = kTextured * std::min(1.0, f.open_part / much_open);
     // On paper, a ruled grid is not texture; elsewhere planks and blinds may be.
     const bool is_ruled = is_paper && f.ruled_part >= kRuled;
-    const double painted = f.noise < kNoGrainAtAll ? kSpotted : kPainted;
-    const bool is_painted = f.painted_part >= painted && f.open_part < kAllOpen;
+    const double painted = f.noise < no_grain_at_all ? spotted : kPainted;
+    const bool is_painted = f.painted_part >= painted && f.open_part < all_open;
     // A picture full of edges shows little of its paper's spots.
-    const bool is_grainy = f.noise >= kNoGrain && f.paper_part < kLittlePaper;
+    const bool is_grainy = f.noise >= no_grain && f.paper_part < little_paper;
     const bool is_textured =
-        f.open_part >= kLeastOpen
+        f.open_part >= least_open
             ? f.texture > textured && !is_painted && !is_ruled
-            : f.changing_part > kRestless && (f.clearness < 2.0 * kClear || is_grainy);
+            : f.changing_part > restless && (f.clearness < 2.0 * clear || is_grainy);
     // In a scan, pale areas come from the light; in a picture that a program painted, they are
     // areas.
-    const bool has_pale_areas = f.noise < kNoGrain && 1.0 - f.paper_part - f.ink_part > kPaleAreas;
-    if (is_paper && !has_pale_areas && f.thin_part >= kThin && f.clearness >= kClear &&
-        (!is_textured || f.clearness >= 2.0 * kClear)) {
+    const bool has_pale_areas = f.noise < no_grain && 1.0 - f.paper_part - f.ink_part > pale_areas;
+    if (is_paper && !has_pale_areas && f.thin_part >= kThin && f.clearness >= clear &&
+        (!is_textured || f.clearness >= 2.0 * clear)) {
         return {PictureClass::line_art, "This looks like a drawing: thin lines on plain paper.", f};
     }
     if (is_textured) {
@@ -223,7 +224,7 @@ ClassDecision decided(const PictureFeatures& f) {
 }  // namespace
 
 ClassDecision class_of(const cv::Mat& picture) {
-    const LabPicture copy = to_lab(reduced(picture, kCopyPixels));
+    const LabPicture copy = to_lab(reduced(picture, copy_pixels));
     PictureFeatures features;
     features.noise = noise_of(copy);
     measure_texture(picture, copy, features);

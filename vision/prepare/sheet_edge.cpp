@@ -13,28 +13,28 @@
 namespace touchline {
 namespace {
 
-constexpr double kScanPixels = 6e4;  // four tenths of a millimetre at the hand each
-constexpr double kMostEqual = 0.8;   // of neighbouring pixels: with more, a program painted it
-constexpr double kRim = 0.12;        // of each side: the bed may lie there
+constexpr double scan_pixels = 6e4;  // four tenths of a millimetre at the hand each
+constexpr double most_equal = 0.8;   // of neighbouring pixels: with more, a program painted it
+constexpr double rim = 0.12;         // of each side: the bed may lie there
 constexpr float kDark = 0.6F;        // of the lightest: no paper, however shaded
-constexpr double kLeastPaper = 0.2;  // of the picture
-constexpr float kLikePaper = 22.0F;  // grey levels, all channels together
+constexpr double least_paper = 0.2;  // of the picture
+constexpr float like_paper = 22.0F;  // grey levels, all channels together
 constexpr float kGrey = 30.0F;       // levels between channels: of lids and their shadows
-constexpr double kSameBed = 60.0;    // grey levels, all channels together
+constexpr double same_bed = 60.0;    // grey levels, all channels together
 constexpr double kMargin_px = 2.0;   // inside the edge, where it is soft
 constexpr double kCorner = 0.1;      // of the shorter side: the largest rounding
 
 /// Returns whether a program painted it, and no scanner saw it: most pixels equal their neighbours
 /// exactly.
 bool is_painted(const cv::Mat& picture) {
-    constexpr int kRowStep = 16;
+    constexpr int row_step = 16;
     std::size_t equal = 0;
     std::size_t asked = 0;
-    for (int y = 0; y < picture.rows; y += kRowStep) {
+    for (int y = 0; y < picture.rows; y += row_step) {
         const cv::Vec3b* row = picture.ptr<cv::Vec3b>(y);
         for (int x = 1; x < picture.cols; ++x, ++asked) equal += row[x] == row[x - 1] ? 1U : 0U;
     }
-    return static_cast<double>(equal) >= kMostEqual * static_cast<double>(asked);
+    return static_cast<double>(equal) >= most_equal * static_cast<double>(asked);
 }
 
 /// Returns the median colour of what lies beyond the edge.
@@ -60,7 +60,7 @@ cv::Mat3f likely_paper(const cv::Mat3f& picture) {
     });
     const float dark = kDark * quantile(least, 0.95);
     const auto is_rim = [](int at, int size) {
-        return std::min(at, size - 1 - at) < static_cast<int>(kRim * size);
+        return std::min(at, size - 1 - at) < static_cast<int>(rim * size);
     };
     cv::Mat3f likely = picture.clone();
     for (int y = 0; y < picture.rows; ++y) {
@@ -76,7 +76,7 @@ cv::Mat3f likely_paper(const cv::Mat3f& picture) {
 class Scan {
   public:
     explicit Scan(const cv::Mat& picture) {
-        reduced(picture, kScanPixels).convertTo(copy_, CV_32FC3);
+        reduced(picture, scan_pixels).convertTo(copy_, CV_32FC3);
         const Paper paper(likely_paper(copy_));
         part_ = paper.part();
         surface_ = cv::Mat3f(copy_.size());
@@ -87,7 +87,7 @@ class Scan {
             std::ranges::copy(row, surface_[y]);
             for (int x = 0; x < copy_.cols; ++x) {
                 const cv::Vec3f off = copy_(y, x) - surface_(y, x);
-                paper_(y, x) = off.dot(off) < kLikePaper * kLikePaper ? 255 : 0;
+                paper_(y, x) = off.dot(off) < like_paper * like_paper ? 255 : 0;
             }
         }
     }
@@ -100,7 +100,7 @@ class Scan {
 
     /// Returns what does not belong to the sheet, 255; empty if everything does.
     [[nodiscard]] cv::Mat1b around() {
-        if (part_ < kLeastPaper) return {};
+        if (part_ < least_paper) return {};
         find_edges();
         beyond_ = cv::Mat1b(copy_.size(), uchar{0});
         for (std::size_t side = 0; side < kSides.size(); ++side) {
@@ -120,7 +120,7 @@ class Scan {
             if (edges_[side]) beds_[side] = bed_beyond(kSides[side].of(copy_), *edges_[side]);
         }
         const auto is_like_first = [&](std::size_t side) {
-            return edges_[side] && edges_[0] && cv::norm(beds_[side] - beds_[0]) < kSameBed;
+            return edges_[side] && edges_[0] && cv::norm(beds_[side] - beds_[0]) < same_bed;
         };
         if (is_like_first(0) && is_like_first(1) && is_like_first(2) && is_like_first(3)) return;
         for (std::size_t side = 0; side < kSides.size(); ++side) {
@@ -167,7 +167,7 @@ class Scan {
         for (int y = 0; y < box.height; ++y) {
             for (int x = 0; x < box.width; ++x) {
                 const cv::Point p = box.tl() + cv::Point(x, y);
-                is_bed(y, x) = paper_(p) == 0 && cv::norm(copy_(p) - bed) < kSameBed ? 255 : 0;
+                is_bed(y, x) = paper_(p) == 0 && cv::norm(copy_(p) - bed) < same_bed ? 255 : 0;
             }
         }
         cv::Mat1b here = beyond_(box);

@@ -12,12 +12,12 @@ namespace {
 
 constexpr int kRun_px = 5;         // of paper: the sheet has begun
 constexpr double kDeepest = 0.25;  // of the picture's side: no sheet begins further in
-const double kMostLean = std::tan(10.0 * std::numbers::pi / 180.0);
+const double most_lean = std::tan(10.0 * std::numbers::pi / 180.0);
 constexpr double kOnEdge_px = 1.3;
-constexpr double kMostlyOnEdge = 0.7;   // of the rows: strokes may run off the sheet
-constexpr double kLeastBeyond = 0.12;   // of the rows have bed
+constexpr double mostly_on_edge = 0.7;  // of the rows: strokes may run off the sheet
+constexpr double least_beyond = 0.12;   // of the rows have bed
 constexpr double kLeastDepth_px = 1.5;  // of the bed, if there is any
-constexpr int kEdgeTries = 32;          // places along a side through which lines are tried
+constexpr int edge_tries = 32;          // places along a side through which lines are tried
 
 /// Returns where the paper begins in each row of the view; nothing where it does not.
 std::vector<std::optional<int>> depths_of(const cv::Mat1b& paper) {
@@ -48,14 +48,14 @@ SheetEdge settled(const SheetEdge& edge, const std::vector<std::optional<int>>& 
     return {line[2] - lean * line[3], lean};
 }
 
-constexpr double kLeastHole = 0.012;  // of the longer side: across
-constexpr double kMostHole = 0.05;
-constexpr double kHoleFromEdge = 0.1;  // of the picture across: its middle lies no further in
-constexpr double kEvenHoles = 0.03;    // of the side: how even they lie about its middle
-constexpr double kSameHole = 0.15;     // of the hole across
-constexpr double kInRow_px = 4.0;      // as far from the edge
+constexpr double least_hole = 0.012;  // of the longer side: across
+constexpr double most_hole = 0.05;
+constexpr double hole_from_edge = 0.1;  // of the picture across: its middle lies no further in
+constexpr double even_holes = 0.03;     // of the side: how even they lie about its middle
+constexpr double same_hole = 0.15;      // of the hole across
+constexpr double kInRow_px = 4.0;       // as far from the edge
 constexpr double kSoftRim_px = 3.0;
-constexpr std::size_t kMostHoles = 6;
+constexpr std::size_t most_holes = 6;
 
 struct Hole {
     cv::Point2d middle;
@@ -75,7 +75,7 @@ std::vector<Hole> discs_of(const cv::Mat1b& ink) {
         const double across = 0.5 * (width + height);
         const double round =
             stats(i, cv::CC_STAT_AREA) / (0.25 * std::numbers::pi * width * height);
-        if (across >= kLeastHole * longer && across <= kMostHole * longer &&
+        if (across >= least_hole * longer && across <= most_hole * longer &&
             std::abs(width - height) <= 0.1 * across + 1.0 && round > 0.9 && round < 1.15) {
             found.push_back({{centres(i, 0), centres(i, 1)}, across});
         }
@@ -104,17 +104,17 @@ Beside beside(std::size_t side, const Hole& hole, cv::Size whole, const SheetEdg
 }
 
 bool are_punched(const std::vector<Hole>& row, const std::vector<Beside>& places, double side_px) {
-    if (row.size() < 2 || row.size() > kMostHoles) return false;
+    if (row.size() < 2 || row.size() > most_holes) return false;
     double sum_px = 0.0;
     for (std::size_t i = 0; i < row.size(); ++i) {
         sum_px += places[i].along_px;
         const double first_px = row.front().across_px;
-        if (std::abs(row[i].across_px - first_px) > kSameHole * first_px + 1.0 ||
+        if (std::abs(row[i].across_px - first_px) > same_hole * first_px + 1.0 ||
             std::abs(places[i].in_px - places.front().in_px) > kInRow_px) {
             return false;
         }
     }
-    return std::abs(sum_px) <= kEvenHoles * side_px * static_cast<double>(row.size());
+    return std::abs(sum_px) <= even_holes * side_px * static_cast<double>(row.size());
 }
 
 }  // namespace
@@ -139,10 +139,10 @@ std::optional<SheetEdge> edge_of(const cv::Mat1b& paper) {
     const auto rows = to - from;
     if (rows < paper.rows / 2) return std::nullopt;
     std::optional<SheetEdge> best;
-    std::ptrdiff_t most = static_cast<std::ptrdiff_t>(kMostlyOnEdge * static_cast<double>(rows));
-    const auto row_of = [&](int i) { return from + rows * (2 * i + 1) / (2 * kEdgeTries); };
-    for (int i = 0; i < kEdgeTries; ++i) {
-        for (int j = i + kEdgeTries / 4; j < kEdgeTries; ++j) {
+    std::ptrdiff_t most = static_cast<std::ptrdiff_t>(mostly_on_edge * static_cast<double>(rows));
+    const auto row_of = [&](int i) { return from + rows * (2 * i + 1) / (2 * edge_tries); };
+    for (int i = 0; i < edge_tries; ++i) {
+        for (int j = i + edge_tries / 4; j < edge_tries; ++j) {
             const auto one = depths[static_cast<std::size_t>(row_of(i))];
             const auto other = depths[static_cast<std::size_t>(row_of(j))];
             if (one.value_or(0) == 0 || other.value_or(0) == 0) continue;
@@ -159,8 +159,8 @@ std::optional<SheetEdge> edge_of(const cv::Mat1b& paper) {
                 beyond += expected >= kLeastDepth_px ? 1 : 0;
             }
             const bool is_edge =
-                std::abs(edge.lean) <= kMostLean &&
-                static_cast<double>(beyond) >= kLeastBeyond * static_cast<double>(rows);
+                std::abs(edge.lean) <= most_lean &&
+                static_cast<double>(beyond) >= least_beyond * static_cast<double>(rows);
             if (is_edge && on > most) {
                 most = on;
                 best = edge;
@@ -181,7 +181,7 @@ cv::Mat1b punched_holes(const cv::Mat1b& ink, const SheetEdges& edges) {
         std::vector<Beside> places;
         for (const Hole& disc : discs) {
             const Beside place = beside(side, disc, ink.size(), edges);
-            if (place.in_px <= kHoleFromEdge * across_px) {
+            if (place.in_px <= hole_from_edge * across_px) {
                 row.push_back(disc);
                 places.push_back(place);
             }

@@ -10,15 +10,15 @@ namespace touchline {
 namespace {
 
 constexpr int kLeastHeight_px = 4;
-constexpr double kGreatestHeight = 0.12;     // of the picture's height: larger marks are no text
-constexpr double kLongestOverHeight = 14.0;  // of one mark: letters of a word may touch
-constexpr double kGapOverHeight = 1.6;       // between marks of one line
-constexpr double kHeightRatio = 2.6;         // a capital beside a small letter
-constexpr double kOverlap = 0.45;            // of the heights of neighbours
-constexpr double kOffBase = 0.17;            // of the letter height: on the base line
-constexpr double kOnBase = 0.62;             // part of the marks that are
-constexpr int kLeastMarks = 3;
-constexpr double kFigurePart = 0.0015;  // of the picture: smaller boxes are specks
+constexpr double greatest_height = 0.12;      // of the picture's height: larger marks are no text
+constexpr double longest_over_height = 14.0;  // of one mark: letters of a word may touch
+constexpr double gap_over_height = 1.6;       // between marks of one line
+constexpr double height_ratio = 2.6;          // a capital beside a small letter
+constexpr double kOverlap = 0.45;             // of the heights of neighbours
+constexpr double off_base = 0.17;             // of the letter height: on the base line
+constexpr double on_base = 0.62;              // part of the marks that are
+constexpr int least_marks = 3;
+constexpr double figure_part = 0.0015;  // of the picture: smaller boxes are specks
 
 struct Mark {
     cv::Rect box;
@@ -62,8 +62,8 @@ std::vector<Mark> marks_of(const cv::Mat1b& mask) {
 }
 
 bool may_be_letters(const Mark& mark, const cv::Size& page) {
-    return mark.box.height >= kLeastHeight_px && mark.box.height <= kGreatestHeight * page.height &&
-           mark.box.width <= kLongestOverHeight * mark.box.height && mark.area_px >= 6;
+    return mark.box.height >= kLeastHeight_px && mark.box.height <= greatest_height * page.height &&
+           mark.box.width <= longest_over_height * mark.box.height && mark.area_px >= 6;
 }
 
 bool are_neighbours(const cv::Rect& a, const cv::Rect& b) {
@@ -71,7 +71,7 @@ bool are_neighbours(const cv::Rect& a, const cv::Rect& b) {
     const int high = std::max(a.height, b.height);
     const int overlap = std::min(a.br().y, b.br().y) - std::max(a.y, b.y);
     const int gap = std::max(a.x, b.x) - std::min(a.br().x, b.br().x);
-    return high <= kHeightRatio * low && overlap >= kOverlap * low && gap <= kGapOverHeight * high;
+    return high <= height_ratio * low && overlap >= kOverlap * low && gap <= gap_over_height * high;
 }
 
 Groups lines_among(const std::vector<Mark>& letters) {
@@ -87,7 +87,7 @@ Groups lines_among(const std::vector<Mark>& letters) {
     }
     for (std::size_t k = 0; k < order.size(); ++k) {
         const cv::Rect& here = letters[order[k]].box;
-        const int reach = here.br().x + static_cast<int>(kGapOverHeight * tallest);
+        const int reach = here.br().x + static_cast<int>(gap_over_height * tallest);
         for (std::size_t j = k + 1; j < order.size() && letters[order[j]].box.x <= reach; ++j) {
             if (are_neighbours(here, letters[order[j]].box)) groups.unite(order[k], order[j]);
         }
@@ -115,8 +115,8 @@ bool stand_on_base_line(const std::vector<Mark>& marks) {
     for (const Mark& mark : marks) bases.push_back(mark.box.br().y - slope * mark.box.x);
     const double base = median_of(bases);
     const auto standing = std::ranges::count_if(
-        bases, [&](double b) { return std::abs(b - base) <= std::max(1.01, kOffBase * height); });
-    return static_cast<double>(standing) >= kOnBase * static_cast<double>(marks.size());
+        bases, [&](double b) { return std::abs(b - base) <= std::max(1.01, off_base * height); });
+    return static_cast<double>(standing) >= on_base * static_cast<double>(marks.size());
 }
 
 /// Marks of one shape in a row are dots, dashes or tiles.
@@ -166,14 +166,14 @@ PageLayout page_layout(const Ink& ink) {
     for (const Mark& mark : marks_of(ink.mask)) {
         (may_be_letters(mark, page) ? letters : others).push_back(mark);
     }
-    constexpr std::size_t kMostMarks = 20000;  // with more it is grain, not a page
-    if (letters.size() > kMostMarks) return {};
+    constexpr std::size_t most_marks = 20000;  // with more it is grain, not a page
+    if (letters.size() > most_marks) return {};
     Groups groups = lines_among(letters);
     std::vector<std::vector<Mark>> rows(letters.size());
     for (std::size_t i = 0; i < letters.size(); ++i) rows[groups.of(i)].push_back(letters[i]);
     PageLayout layout;
     for (const std::vector<Mark>& row : rows) {
-        if (static_cast<int>(row.size()) >= kLeastMarks && stand_on_base_line(row) &&
+        if (static_cast<int>(row.size()) >= least_marks && stand_on_base_line(row) &&
             !are_of_one_shape(row)) {
             TextLine line{row.front().box, static_cast<int>(row.size())};
             for (const Mark& mark : row) line.box |= mark.box;
@@ -185,7 +185,7 @@ PageLayout page_layout(const Ink& ink) {
     std::vector<cv::Rect> rest;
     for (const Mark& mark : others) rest.push_back(mark.box);
     std::erase_if(rest, [&](const cv::Rect& box) {
-        return box.area() < kFigurePart * page.area() || std::min(box.width, box.height) < 3;
+        return box.area() < figure_part * page.area() || std::min(box.width, box.height) < 3;
     });
     merge_overlapping(rest);
     layout.figures = std::move(rest);

@@ -8,9 +8,9 @@ namespace touchline {
 namespace {
 
 constexpr double kTableDiagonal_m = 0.215;
-constexpr int kLeastStrokes = 2;  // of two things side by side, neither may be lost
+constexpr int least_strokes = 2;  // of two things side by side, neither may be lost
 
-constexpr std::array<DetailLimits, kMostDetail> kTable{{
+constexpr std::array<DetailLimits, most_detail> table{{
     {2, 600.0, 60.0, 12.0, 2.0, 12.0, InnerLines::none},
     {5, 1000.0, 40.0, 8.0, 1.5, 10.0, InnerLines::large_regions},
     {9, 1500.0, 25.0, 6.0, 1.0, 8.0, InnerLines::all},
@@ -21,9 +21,9 @@ constexpr std::array<DetailLimits, kMostDetail> kTable{{
 }  // namespace
 
 DetailLimits limits_for(int detail, const Area& area) {
-    DetailLimits limits = kTable[static_cast<std::size_t>(std::clamp(detail, 1, kMostDetail)) - 1];
+    DetailLimits limits = table[static_cast<std::size_t>(std::clamp(detail, 1, most_detail)) - 1];
     const double scale = std::hypot(area.width_m, area.height_m) / kTableDiagonal_m;
-    limits.strokes = std::max(kLeastStrokes, static_cast<int>(limits.strokes * scale));
+    limits.strokes = std::max(least_strokes, static_cast<int>(limits.strokes * scale));
     limits.line_mm *= scale;
     limits.least_stroke_mm *= scale;
     return limits;

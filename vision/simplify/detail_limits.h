@@ -7,7 +7,7 @@
 
 namespace touchline {
 
-inline constexpr int kMostDetail = 5;
+inline constexpr int most_detail = 5;
 
 /// What may be shown inside an outer line.
 enum class InnerLines { none, large_regions, all };

@@ -99,8 +99,8 @@ struct GridPoint {
 };
 
 [[nodiscard]] inline GridPoint on_map_grid(cv::Point2d p_mm) {
-    constexpr double kNanometres = 1e6;  // per millimetre
-    return {std::llround(kNanometres * p_mm.x), std::llround(kNanometres * p_mm.y)};
+    constexpr double nanometres = 1e6;  // per millimetre
+    return {std::llround(nanometres * p_mm.x), std::llround(nanometres * p_mm.y)};
 }
 
 /// Returns on which side of a b the point c lies; exact within an area of a metre.

@@ -16,23 +16,23 @@ constexpr double kLength_mm =
     150.0;  // about once round a thing of a hand's size: longer counts little more
 constexpr double kOpen = 2.0 / 3.0;
 constexpr double kInside = 0.7;
-constexpr double kLeastStrength = 1e-6;  // of `high`: the part of a border in a zoom may have none
+constexpr double least_strength = 1e-6;  // of `high`: the part of a border in a zoom may have none
 
 double salience_of(const Chain& line, double outer_share, double high) {
     double sum = 0.0;
     for (const EdgePoint& p : line.points) sum += p.strength;
-    const double r = std::max(kLeastStrength, sum / static_cast<double>(line.points.size()) / high);
+    const double r = std::max(least_strength, sum / static_cast<double>(line.points.size()) / high);
     const double length = 1.0 - std::exp(-length_of(line) / kLength_mm);
     const double salience = r / (1.0 + r) * length * (line.is_closed ? 1.0 : kOpen) *
                             (kInside + (1.0 - kInside) * outer_share);
     return std::max(MapLimits::least_weight, salience);
 }
 
-constexpr double kLargeRegion = 0.03;  // of the area
+constexpr double large_region = 0.03;  // of the area
 constexpr double kOuterShare = 0.25;   // of a line whose other side looks into the picture
 constexpr double kFinestStep_mm = 0.2;
 constexpr double kCoarsestStep_mm = 0.5;
-constexpr double kLengths =
+constexpr double lengths =
     3.0;  // of all lines: a longer ring is a maze, and splitting it shows no more
 constexpr double kBold = 1.1;  // gaps: so that smoothing leaves a gap
 
@@ -117,7 +117,7 @@ bool Selection::may_be_shown(const RankedLine& ranked) const {
             return is_outer;
         case InnerLines::large_regions:
             return is_outer ||
-                   held_area(ranked.line) >= kLargeRegion * area_mm_.width * area_mm_.height;
+                   held_area(ranked.line) >= large_region * area_mm_.width * area_mm_.height;
         default:
             return true;
     }
@@ -129,7 +129,7 @@ bool Selection::add_at(const ShapingScale& scale, const Chain& line, std::size_t
     // Smoothing may lead a line along the rim a little beyond it.
     const Chain smooth = within(shaped(line, scale), area_mm_);
     for (const Chain& part : without_self_crossings(smooth, limits_.least_stroke_mm)) {
-        const bool needs_parting = part.is_closed && length_of(part) < kLengths * limits_.line_mm &&
+        const bool needs_parting = part.is_closed && length_of(part) < lengths * limits_.line_mm &&
                                    too_near_itself(part, spaced_.scale());
         const bool was_too_long =
             needs_parting ? add_ring(scale, part, number) : add_all({{part, false, false}}, number);
@@ -217,8 +217,8 @@ Selection selected(const std::vector<RankedLine>& order, DetailLimits limits, cv
         }
         selection.go_on_with(limits);
         for (; i < order.size() && !selection.is_full(); ++i) selection.add(order[i], i);
-        constexpr int kMostAttempts = 9;
-        if (!selection.strokes().empty() || order.empty() || attempts == kMostAttempts) {
+        constexpr int most_attempts = 9;
+        if (!selection.strokes().empty() || order.empty() || attempts == most_attempts) {
             return selection;
         }
         if (limits.inner != InnerLines::all) {

@@ -10,7 +10,7 @@
 namespace touchline {
 namespace {
 
-constexpr double kLeastTurn = 40.0 * std::numbers::pi / 180.0;
+constexpr double least_turn = 40.0 * std::numbers::pi / 180.0;
 
 /// A polyline by its arc length. `is_ring`: the last point is the first again.
 class Course {
@@ -58,7 +58,7 @@ std::vector<std::size_t> corners_of(const std::vector<EdgePoint>& points, bool i
     for (std::size_t i = is_ring ? 0 : 1; i + 1 < points.size(); ++i) {
         if (points[i].is_fixed) {
             const double turn = course.turn_at(i, 0.5 * least_feature_mm);
-            if (turn > kLeastTurn) found.emplace_back(turn, i);
+            if (turn > least_turn) found.emplace_back(turn, i);
         }
     }
     std::ranges::stable_sort(found, std::ranges::greater{}, &std::pair<double, std::size_t>::first);
@@ -131,7 +131,7 @@ std::vector<EdgePoint> smooth_run(const std::vector<EdgePoint>& run, bool is_rin
 }
 
 constexpr double kCrossingCell_mm = 2.0;
-constexpr int kMostCuts = 200;  // a line with more is a scribble, and the rest of it is dropped
+constexpr int most_cuts = 200;  // a line with more is a scribble, and the rest of it is dropped
 
 struct SelfCrossing {
     std::size_t first = 0;   // segment that is crossed
@@ -200,7 +200,7 @@ std::vector<Chain> taken_apart(const Chain& line, double least_mm, CrossingOf cr
             parts.push_back(std::move(part));
             continue;
         }
-        if (++cuts > kMostCuts) continue;
+        if (++cuts > most_cuts) continue;
         const auto first = part.points.begin() + static_cast<std::ptrdiff_t>(found->first) + 1;
         const auto second = part.points.begin() + static_cast<std::ptrdiff_t>(found->second) + 1;
         const EdgePoint at{found->at, first->strength, true};

@@ -71,8 +71,8 @@ double diagonal_of(const Outline& outline) {
     return std::hypot(extent.high.x - extent.low.x, extent.high.y - extent.low.y);
 }
 
-constexpr int kLeastDetailOfFrame = 3;       // lower ones show what is in it
-constexpr int kLeastDetailOfBackground = 4;  // lower ones show what lies before it
+constexpr int least_detail_of_frame = 3;       // lower ones show what is in it
+constexpr int least_detail_of_background = 4;  // lower ones show what lies before it
 
 /// Takes the frames out of the lines, and returns the drawn ones. Such a frame is a stroke, or has
 /// an outer and an inner edge; one ring alone beside the rim is the outer line of a thing that
@@ -99,7 +99,7 @@ void put_figure_first(std::vector<RankedLine>& order, int detail) {
         return ranked.line.of == LineOf::ring ? 0 : ranked.line.of == LineOf::background ? 2 : 1;
     };
     std::ranges::stable_sort(order, {}, place);
-    if (detail < kLeastDetailOfBackground && !order.empty() && place(order.front()) == 0) {
+    if (detail < least_detail_of_background && !order.empty() && place(order.front()) == 0) {
         std::erase_if(order, [&](const RankedLine& ranked) { return place(ranked) == 2; });
     }
 }
@@ -171,15 +171,15 @@ Complexity complexity_of(int parts, double line_mm, const Area& area) {
 
 std::string words_for(const TactileMap& map, const SimplifyReport& report, int detail) {
     if (map.outlines.empty()) return "There is no line here.";
-    constexpr std::array<std::string_view, 3> kEffort{"simple", "of medium difficulty", "complex"};
+    constexpr std::array<std::string_view, 3> effort{"simple", "of medium difficulty", "complex"};
     std::string words = fmt::format("{}, {} centimetres of line, {}.", counted(report.parts),
                                     static_cast<int>(std::lround(0.1 * report.line_mm)),
-                                    kEffort[static_cast<std::size_t>(report.complexity)]);
+                                    effort[static_cast<std::size_t>(report.complexity)]);
     const Outline& largest = *std::ranges::max_element(map.outlines, {}, diagonal_of);
     words += fmt::format(" {} lies {}.", report.parts == 1 ? "It" : "The largest",
                          where(place_of(largest, map.area)));
     if (report.frames_dropped > 0) words += " A frame around the picture is left out.";
-    if (report.left_out > 0 && detail < kMostDetail) {
+    if (report.left_out > 0 && detail < most_detail) {
         words += " More lines are shown at a higher detail.";
     } else if (report.left_out > 0 && report.is_full) {
         words += " There are more lines than a hand can follow; zoom in.";
@@ -208,7 +208,7 @@ Simplified simplified(const PictureLines& found, const Area& area, int detail, c
     const std::vector<double> shares = outside.shares_of(lines);
     std::vector<RankedLine> order = ranked(std::move(lines), shares, found.high);
     put_figure_first(order, detail);
-    if (detail < kLeastDetailOfFrame) {
+    if (detail < least_detail_of_frame) {
         report.frames_dropped = static_cast<int>(frames.size());
     } else {
         for (Chain& frame : frames) {  // last: nothing else gives way to it

@@ -14,15 +14,15 @@
 namespace touchline {
 namespace {
 
-constexpr double kApartAlong = 4.0;    // gaps: nearer along the line is a bend, not two lines
-constexpr double kHairpinAlong = 2.0;  // gaps: further may be there and back on parallel ways
-constexpr double kParallel = 0.985;    // cosine of 10 degrees
+constexpr double apart_along = 4.0;    // gaps: nearer along the line is a bend, not two lines
+constexpr double hairpin_along = 2.0;  // gaps: further may be there and back on parallel ways
+constexpr double parallel = 0.985;     // cosine of 10 degrees
 constexpr double kStraight_mm = 0.5;   // the way along two straight sides minus that by the corner
 
 /// Returns whether a segment leads back along another.
 bool leads_back(cv::Point2d way, const LineSegment& other) {
     const cv::Point2d along = other.b - other.a;
-    return way.dot(along) < -kParallel * cv::norm(way) * cv::norm(along);
+    return way.dot(along) < -parallel * cv::norm(way) * cv::norm(along);
 }
 
 /// Finds places that lie on the two straight sides of one corner, which may be as sharp as it is
@@ -99,13 +99,13 @@ OwnStretch clear_of_itself(const std::vector<EdgePoint>& points, std::size_t fir
             const cv::Point2d on = nearest_on(before, p);
             const double apart_mm = distance(on, p);
             const double along_mm = at_mm[i] - at_mm[before.index + 1];
-            if (along_mm > kApartAlong * scale.gap_mm - 2.0 * scale.step_mm &&
+            if (along_mm > apart_along * scale.gap_mm - 2.0 * scale.step_mm &&
                 apart_mm < least_mm && !corners.is_round_one(before.index, i)) {
                 least_mm = apart_mm;
                 foot = {on, before.index};
             }
             is_hairpin =
-                is_hairpin || (along_mm > kHairpinAlong * scale.gap_mm && apart_mm < scale.gap_mm &&
+                is_hairpin || (along_mm > hairpin_along * scale.gap_mm && apart_mm < scale.gap_mm &&
                                leads_back(p - points[i - 1].at, before));
         });
         if (foot || is_hairpin) return {first, i - 1, at_mm[i - 1] - at_mm[first], foot};
@@ -129,9 +129,9 @@ std::optional<std::size_t> too_near_itself(const Chain& ring, const SpacingScale
             const double apart_mm = distance(nearest_on(other, p), p);
             const cv::Point2d way = ring.points[(i + 1) % ring.points.size()].at - p;
             is_near = is_near ||
-                      (along_mm > kApartAlong * scale.gap_mm - 2.0 * scale.step_mm &&
+                      (along_mm > apart_along * scale.gap_mm - 2.0 * scale.step_mm &&
                        apart_mm < scale.clearance_mm() && !corners.is_round_one(other.index, i)) ||
-                      (along_mm > kHairpinAlong * scale.gap_mm && apart_mm < scale.gap_mm &&
+                      (along_mm > hairpin_along * scale.gap_mm && apart_mm < scale.gap_mm &&
                        leads_back(way, other));
         });
         if (is_near) return i;

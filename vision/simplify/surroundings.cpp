@@ -17,7 +17,7 @@
 namespace touchline {
 namespace {
 
-constexpr double kMostBend = 70.0 * std::numbers::pi / 180.0;
+constexpr double most_bend = 70.0 * std::numbers::pi / 180.0;
 constexpr double kSkip_mm = 0.5;  // the last points of a line are its worst
 constexpr double kSpan_mm = 4.0;
 
@@ -54,17 +54,17 @@ std::vector<FreeEnd> free_ends(const std::vector<Chain>& lines) {
 constexpr double kCell_mm = 0.5;
 constexpr double kDisc_mm = 0.75;       // radius
 constexpr double kLeastWall_mm = 15.0;  // shorter lines hide nothing
-constexpr int kRim = 12;                // cells around the area, so that the outside is connected
+constexpr int rim = 12;                 // cells around the area, so that the outside is connected
 
 cv::Point cell_of(cv::Point2d p) {
-    return {kRim + static_cast<int>(std::lround(p.x / kCell_mm)),
-            kRim + static_cast<int>(std::lround(p.y / kCell_mm))};
+    return {rim + static_cast<int>(std::lround(p.x / kCell_mm)),
+            rim + static_cast<int>(std::lround(p.y / kCell_mm))};
 }
 
 /// Non-zero where there is no line.
 cv::Mat1b free_cells(const std::vector<Chain>& lines, cv::Size2d area_mm) {
     const cv::Point far = cell_of({area_mm.width, area_mm.height});
-    cv::Mat1b cells(far.y + kRim + 1, far.x + kRim + 1, uchar{255});
+    cv::Mat1b cells(far.y + rim + 1, far.x + rim + 1, uchar{255});
     for (const Chain& line : lines) {
         if (length_of(line) < kLeastWall_mm) continue;
         std::vector<cv::Point> points;
@@ -152,9 +152,9 @@ void cut(Chain line, const std::set<PointKey>& junctions, Arms& arms) {
 enum class Side { inside, round_a_thing, outside };
 
 Side side_of(const Chain& line, const Outside& outside) {
-    constexpr double kMostly = 0.5;
-    if (outside.share_of(line) <= kMostly) return Side::inside;
-    return outside.share_on_both_sides(line) > kMostly ? Side::outside : Side::round_a_thing;
+    constexpr double mostly = 0.5;
+    if (outside.share_of(line) <= mostly) return Side::inside;
+    return outside.share_on_both_sides(line) > mostly ? Side::outside : Side::round_a_thing;
 }
 
 /// Returns the two ends that go round a thing at a junction where everything else lies within it;
@@ -188,7 +188,7 @@ std::vector<Chain> with_breaks_closed(std::vector<Chain> lines, double reach_mm)
             const bool is_touching = apart_mm < 0.25 * reach_mm;
             const double bend_i = is_touching ? 0.0 : angle_between(ends[i].outward, across);
             const double bend_k = is_touching ? 0.0 : angle_between(ends[k].outward, -across);
-            if (std::max(bend_i, bend_k) < kMostBend) {
+            if (std::max(bend_i, bend_k) < most_bend) {
                 joins.push_back({ends[i].id, ends[k].id, apart_mm * (1.0 + bend_i + bend_k)});
             }
         }

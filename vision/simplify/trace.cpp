@@ -69,7 +69,7 @@ double mean_strength(const std::vector<Chain>& lines) {
 
 /// Finds the lines of a class other than photo.
 PhotoLines drawn_lines(const cv::Mat& picture, PictureClass picture_class, double longer_side_mm) {
-    const LabPicture lab = to_lab(reduced(picture, kWorkingPixels));
+    const LabPicture lab = to_lab(reduced(picture, working_pixels));
     PhotoLines found;
     found.size = lab.size();
     found.noise = noise_of(lab);
@@ -120,10 +120,10 @@ ClassLines class_lines(const cv::Mat& picture, PictureClass picture_class, doubl
                        const cv::Mat1b& figure) {
     if (picture_class != PictureClass::photo) {
         PhotoLines found = drawn_lines(picture, picture_class, longer_side_mm);
-        constexpr std::size_t kMostSpecks = 50;
-        constexpr double kGrain = 40.0;  // grey levels of noise: no drawing shows through
-        if (!found.chains.empty() && found.noise < kGrain &&
-            static_cast<std::size_t>(found.specks_dropped) < kMostSpecks * found.chains.size()) {
+        constexpr std::size_t most_specks = 50;
+        constexpr double grain = 40.0;  // grey levels of noise: no drawing shows through
+        if (!found.chains.empty() && found.noise < grain &&
+            static_cast<std::size_t>(found.specks_dropped) < most_specks * found.chains.size()) {
             return {picture_class, std::move(found)};
         }
     }
@@ -153,7 +153,7 @@ Result<void> check(const cv::Mat& picture) {
 }
 
 Result<void> check(const TraceOptions& options) {
-    if (options.detail < 1 || options.detail > kMostDetail) {
+    if (options.detail < 1 || options.detail > most_detail) {
         return failure("detail is " + std::to_string(options.detail) + "; it must be 1 to 5");
     }
     if (!(options.zoom.factor >= 1.0 && options.zoom.factor <= 16.0)) {
@@ -195,9 +195,9 @@ std::string nothing_found(const cv::Mat& picture, double mm_per_pixel, const Pho
     }
     // A smaller picture is one line for a finger, or has no room for an edge.
     constexpr double kLeast_mm = 3.0;
-    constexpr int kLeastPixels = 8;
+    constexpr int least_pixels = 8;
     const int shorter = std::min(picture.cols, picture.rows);
-    if (shorter < kLeastPixels || mm_per_pixel * shorter < kLeast_mm) {
+    if (shorter < least_pixels || mm_per_pixel * shorter < kLeast_mm) {
         const bool is_flat = picture.rows < picture.cols;
         return "no outline found, because the picture is " + size_of(picture) + " pixels, too " +
                (is_flat ? "flat to be felt; use a higher one"
@@ -217,8 +217,8 @@ std::string warning_for(const TraceReport& report) {
                std::to_string(report.found.lines_found) + " lines in the grain only the " +
                std::to_string(report.outlines) + " strongest are used";
     }
-    constexpr int kCrowd = 100;  // lines: more than any detail shows
-    return report.simplified.left_out < kCrowd
+    constexpr int crowd = 100;  // lines: more than any detail shows
+    return report.simplified.left_out < crowd
                ? ""
                : "the picture has " + std::to_string(report.simplified.lines) +
                      " lines, more than can be felt; only the " + std::to_string(report.outlines) +
@@ -245,7 +245,7 @@ Result<Found> find_lines(const cv::Mat& picture, const TraceOptions& options,
         const double mm_per_pixel = 1000.0 / placement.picture_pixels_per_metre();
         const double longer_side_mm = mm_per_pixel * std::max(picture.cols, picture.rows);
         // Reduced once, because every way of finding lines starts from at most a megapixel.
-        const cv::Mat small = without_dots(reduced(picture, kWorkingPixels));
+        const cv::Mat small = without_dots(reduced(picture, working_pixels));
         const cv::Mat sheet = within_sheet(small);
         ClassDecision decision = decided(sheet, options, !figure.empty());
         const bool is_photo = decision.picture_class == PictureClass::photo;

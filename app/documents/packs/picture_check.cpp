@@ -68,7 +68,7 @@ void look_at_lines(const TactileMap& map, int difficulty, std::vector<PackFindin
         findings.push_back({FindingKind::many_parts, "", 0, std::to_string(difficulty),
                             static_cast<double>(parts)});
     const double line_mm = 1000.0 * line_length_m(map);
-    if (line_mm > limits_for(kMostDetail, map.area).line_mm)
+    if (line_mm > limits_for(most_detail, map.area).line_mm)
         findings.push_back({FindingKind::much_line, "", 0, "", line_mm});
     for (const Outline& outline : map.outlines)
         if (is_near_rim(outline, map.area))

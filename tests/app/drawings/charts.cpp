@@ -100,9 +100,9 @@ void add_grid(Board& board) {
 }
 
 cv::Scalar bar_colour(Chance& chance) {
-    constexpr std::array<std::array<double, 3>, 5> kColours{
+    constexpr std::array<std::array<double, 3>, 5> colours{
         {{180, 119, 31}, {14, 127, 220}, {44, 140, 44}, {40, 39, 214}, {70, 70, 70}}};
-    const auto& c = kColours[static_cast<std::size_t>(chance.below(5))];
+    const auto& c = colours[static_cast<std::size_t>(chance.below(5))];
     return {c[0], c[1], c[2]};
 }
 
@@ -179,14 +179,14 @@ Drawing pie(Chance& chance) {
     const int n = 3 + chance.below(3);
     const double first = chance.between(0.0, 360.0);
     double from = first;
-    constexpr std::array<std::array<double, 3>, 5> kColours{
+    constexpr std::array<std::array<double, 3>, 5> colours{
         {{180, 119, 31}, {14, 127, 255}, {44, 160, 44}, {40, 39, 214}, {60, 220, 240}}};
     for (int i = 0; i < n; ++i) {
         const double to = i + 1 == n ? first + 360.0 : from + 360.0 / n * chance.between(0.8, 1.1);
         Polyline slice = arc({58.0, 42.0}, {34.0, 34.0}, from, to);
         slice.is_closed = true;
         slice.points.emplace_back(58.0, 42.0);
-        const auto& c = kColours[static_cast<std::size_t>(i)];
+        const auto& c = colours[static_cast<std::size_t>(i)];
         board.area(slice, {c[0], c[1], c[2]});
         from = to;
     }
@@ -292,26 +292,26 @@ struct ChartKind {
     Drawing (*draw)(Chance&);
 };
 
-constexpr std::array<ChartKind, 10> kKinds{{{"bars", bars},
-                                            {"outlined bars", outlined_bars},
-                                            {"stacked bars", stacked_bars},
-                                            {"curve", curve},
-                                            {"pie", pie},
-                                            {"floor plan", floor_plan},
-                                            {"map of streets", tactile_map},
-                                            {"flow chart", flow_chart},
-                                            {"geometry", geometry},
-                                            {"sets", venn}}};
+constexpr std::array<ChartKind, 10> kinds{{{"bars", bars},
+                                           {"outlined bars", outlined_bars},
+                                           {"stacked bars", stacked_bars},
+                                           {"curve", curve},
+                                           {"pie", pie},
+                                           {"floor plan", floor_plan},
+                                           {"map of streets", tactile_map},
+                                           {"flow chart", flow_chart},
+                                           {"geometry", geometry},
+                                           {"sets", venn}}};
 
 }  // namespace
 
 int chart_kind_count() {
-    return static_cast<int>(kKinds.size());
+    return static_cast<int>(kinds.size());
 }
 
 Drawing chart_drawing(int kind, int seed) {
     Chance chance(500'000 + 1000 * kind + seed);
-    const ChartKind& one = kKinds[static_cast<std::size_t>(kind)];
+    const ChartKind& one = kinds[static_cast<std::size_t>(kind)];
     Drawing drawing = one.draw(chance);
     drawing.kind = one.name;
     drawing.name = fmt::format("{} {}", one.name, seed);

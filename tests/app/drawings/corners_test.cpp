@@ -112,25 +112,25 @@ Figure star(int rays, double inner) {
 
 /// Teeth of this angle above a straight side.
 Figure zig_zag(double apex_deg) {
-    constexpr int kTeeth = 3;
+    constexpr int teeth = 3;
     const double half = 320.0 * std::tan(apex_deg * std::numbers::pi / 360.0);
-    const double left = 600.0 - kTeeth * half;
+    const double left = 600.0 - teeth * half;
     Polyline line{{{left - 60.0, 720.0}, {left - 60.0, 500.0}}, true};
-    for (int i = 0; i < kTeeth; ++i) {
+    for (int i = 0; i < teeth; ++i) {
         line.points.emplace_back(left + 2 * i * half, 500.0);
         line.points.emplace_back(left + (2 * i + 1) * half, 180.0);
     }
-    line.points.emplace_back(left + 2 * kTeeth * half, 500.0);
-    line.points.emplace_back(left + 2 * kTeeth * half + 60.0, 500.0);
-    line.points.emplace_back(left + 2 * kTeeth * half + 60.0, 720.0);
+    line.points.emplace_back(left + 2 * teeth * half, 500.0);
+    line.points.emplace_back(left + 2 * teeth * half + 60.0, 500.0);
+    line.points.emplace_back(left + 2 * teeth * half + 60.0, 720.0);
     return {fmt::format("zig-zag of {} degrees", apex_deg), line};
 }
 
 void expect_one_closed_line(const Figure& figure) {
-    constexpr std::array<std::pair<Join, std::string_view>, 3> kJoins{
+    constexpr std::array<std::pair<Join, std::string_view>, 3> joins{
         {{Join::mitre, "mitred"}, {Join::round, "round"}, {Join::bevel, "bevelled"}}};
     for (const double width_px : {3.0, 6.0, 10.0})
-        for (const auto& [join, name] : kJoins)
+        for (const auto& [join, name] : joins)
             EXPECT_EQ(fault_of(figure.line, {width_px, join, testing::Cap::butt}), "")
                 << figure.name << ", " << width_px << " px, " << name;
 }

@@ -16,17 +16,17 @@
 namespace touchline {
 namespace {
 
-constexpr double kLeastShare = 0.99;   // for one drawing: less is reported
-constexpr double kLeastOfOne = 0.95;   // the least measured was 0.974
-constexpr double kLeastOfKind = 0.97;  // for all of one kind
-constexpr double kLeastOfAll = 0.995;  // the least measured was 0.9988
-constexpr double kMostFelt = 1.06;     // a line is felt once; the most measured was 1.045
+constexpr double kLeastShare = 0.99;    // for one drawing: less is reported
+constexpr double least_of_one = 0.95;   // the least measured was 0.974
+constexpr double least_of_kind = 0.97;  // for all of one kind
+constexpr double least_of_all = 0.995;  // the least measured was 0.9988
+constexpr double most_felt = 1.06;      // a line is felt once; the most measured was 1.045
 
 /// Adds up the results of all drawings of some kinds, and names each one below the bar.
 class Tally {
   public:
     void add(const testing::Drawing& drawing) {
-        const auto found = testing::felt_of(drawing, kMostDetail, testing::kTolerance_mm);
+        const auto found = testing::felt_of(drawing, most_detail, testing::kTolerance_mm);
         EXPECT_TRUE(found.has_value()) << drawing.name << ": " << found.error().line;
         if (!found) return;
         of_kind_[drawing.kind] += {found->seen, found->felt};
@@ -36,8 +36,8 @@ class Tally {
     void judge() const {
         Both all;
         for (const auto& [kind, both] : of_kind_) {
-            EXPECT_GE(both.seen.share(), kLeastOfKind) << kind;
-            EXPECT_GE(both.felt.share(), kLeastOfKind) << kind;
+            EXPECT_GE(both.seen.share(), least_of_kind) << kind;
+            EXPECT_GE(both.felt.share(), least_of_kind) << kind;
             all += both;
         }
         fmt::print(
@@ -45,8 +45,8 @@ class Tally {
             "{:.2f} m too short), {:.2f} % of what is felt is seen\n",
             100.0 * all.seen.share(), 1e-3 * all.seen.right_mm, 1e-3 * all.seen.too_near_mm,
             1e-3 * all.seen.too_short_mm, 100.0 * all.felt.share());
-        EXPECT_GE(all.seen.share(), kLeastOfAll);
-        EXPECT_GE(all.felt.share(), kLeastOfAll);
+        EXPECT_GE(all.seen.share(), least_of_all);
+        EXPECT_GE(all.felt.share(), least_of_all);
     }
 
   private:
@@ -62,9 +62,9 @@ class Tally {
     };
 
     static void judge_one(const testing::Drawing& drawing, const testing::Felt& found) {
-        EXPECT_GE(found.seen.share(), kLeastOfOne) << drawing.name;
-        EXPECT_GE(found.felt.share(), kLeastOfOne) << drawing.name;
-        EXPECT_TRUE(!drawing.unjudged.empty() || found.felt_mm <= kMostFelt * found.seen_mm)
+        EXPECT_GE(found.seen.share(), least_of_one) << drawing.name;
+        EXPECT_GE(found.felt.share(), least_of_one) << drawing.name;
+        EXPECT_TRUE(!drawing.unjudged.empty() || found.felt_mm <= most_felt * found.seen_mm)
             << drawing.name << ": " << found.felt_mm << " mm are felt of " << found.seen_mm;
         if (found.seen.share() >= kLeastShare && found.felt.share() >= kLeastShare) return;
         fmt::print("{}: {:.1f} % of what is seen is felt, {:.1f} % of what is felt is seen\n",

@@ -52,7 +52,7 @@ class Marks {
     }
 
   private:
-    static constexpr int kColumns = 120;
+    static constexpr int columns = 120;
     static constexpr int kRows = 90;
 
     /// Cells are a millimetre wide.
@@ -61,11 +61,11 @@ class Marks {
     }
 
     std::vector<Mark>* cell_at(const cv::Point& cell) {
-        if (!cv::Rect(0, 0, kColumns, kRows).contains(cell)) return nullptr;
-        return &cells_[static_cast<std::size_t>(cell.y * kColumns + cell.x)];
+        if (!cv::Rect(0, 0, columns, kRows).contains(cell)) return nullptr;
+        return &cells_[static_cast<std::size_t>(cell.y * columns + cell.x)];
     }
 
-    std::vector<std::vector<Mark>> cells_ = std::vector<std::vector<Mark>>(kColumns * kRows);
+    std::vector<std::vector<Mark>> cells_ = std::vector<std::vector<Mark>>(columns * kRows);
 };
 
 std::vector<Mark> marks_of(std::span<const cv::Point2d> points, std::size_t line) {

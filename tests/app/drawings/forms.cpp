@@ -182,13 +182,13 @@ Form stairs(Chance& chance, const cv::Point2d& c, double r) {
 }  // namespace
 
 Form form_of_kind(int kind, Chance& chance, cv::Point2d centre, double radius) {
-    constexpr std::array<Form (*)(Chance&, const cv::Point2d&, double), kFormKinds> kMakers{
+    constexpr std::array<Form (*)(Chance&, const cv::Point2d&, double), form_kinds> makers{
         circle, ellipse, rectangle, rounded, polygon, star, smooth, quadratic, sector, stairs};
-    return kMakers[static_cast<std::size_t>(kind)](chance, centre, radius);
+    return makers[static_cast<std::size_t>(kind)](chance, centre, radius);
 }
 
 Form any_form(Chance& chance, cv::Point2d centre, double radius) {
-    const int kind = chance.below(kFormKinds);
+    const int kind = chance.below(form_kinds);
     return form_of_kind(kind, chance, centre, radius);
 }
 

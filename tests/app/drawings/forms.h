@@ -16,7 +16,7 @@ struct Form {
     std::string element;  // without the closing "/>"
 };
 
-inline constexpr int kFormKinds = 10;
+inline constexpr int form_kinds = 10;
 
 /// Returns a circle, ellipse, rectangle, rounded rectangle, polygon, star, smooth curves, quadratic
 /// curves, sector of a circle or stairs, in this order; corners have 30 degrees or more, sides a

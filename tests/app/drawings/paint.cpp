@@ -15,7 +15,7 @@ namespace {
 constexpr double kPixels_per_mm = 20.0;
 constexpr int kShift = 8;  // bits of fixed point in OpenCV's drawing
 constexpr double kBeside_mm = 0.16;
-constexpr double kLeastDifference = 25.0;  // in a channel, 0 ... 255
+constexpr double least_difference = 25.0;  // in a channel, 0 ... 255
 
 using Points = std::vector<cv::Point2d>;
 
@@ -123,7 +123,7 @@ class Sheet {
         double most = 0.0;
         for (int c = 0; c < 3; ++c)
             most = std::max(most, std::abs(double(one[c]) - double(other[c])));
-        return most >= kLeastDifference;
+        return most >= least_difference;
     }
 
   private:

@@ -7,13 +7,13 @@
 namespace touchline::testing {
 namespace {
 
-constexpr int kColumns = 3;
+constexpr int columns = 3;
 constexpr int kRows = 2;
 
 }  // namespace
 
 int pdf_page_count() {
-    const int cells = kColumns * kRows;
+    const int cells = columns * kRows;
     return (static_cast<int>(pdf_figures().size()) + cells - 1) / cells;
 }
 
@@ -21,12 +21,12 @@ Drawing pdf_page(int number) {
     Chance chance(900'000 + number);
     PdfSheet sheet(chance);
     std::string names;
-    for (int cell = 0; cell < kColumns * kRows; ++cell) {
-        const auto kind = static_cast<std::size_t>(kColumns * kRows * number + cell);
+    for (int cell = 0; cell < columns * kRows; ++cell) {
+        const auto kind = static_cast<std::size_t>(columns * kRows * number + cell);
         const PdfFigure& figure = pdf_figures()[kind % pdf_figures().size()];
         figure.draw(sheet, chance,
-                    {kSheet_mm.width * (cell % kColumns + 0.5) / kColumns,
-                     kSheet_mm.height * (cell / kColumns + 0.5) / kRows});
+                    {kSheet_mm.width * (cell % columns + 0.5) / columns,
+                     kSheet_mm.height * (cell / columns + 0.5) / kRows});
         names += fmt::format("{}{}", names.empty() ? "" : ", ", figure.name);
     }
     Drawing out = sheet.drawing();

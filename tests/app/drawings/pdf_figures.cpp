@@ -227,32 +227,32 @@ void watermark_figure(PdfSheet& sheet, Chance& chance, const Place& at) {
     if (is_under) sheet.paint(circle);
 }
 
-constexpr std::array<PdfFigure, 21> kFigures{{{"outline", outline_figure},
-                                              {"open stroke", open_figure},
-                                              {"hair line", hair_figure},
-                                              {"dashes", dashed_figure},
-                                              {"dots", dotted_figure},
-                                              {"broad ring", broad_figure},
-                                              {"crossing star", crossing_figure},
-                                              {"ring", ring_figure},
-                                              {"united discs", united_figure},
-                                              {"clear discs", clear_figure},
-                                              {"clipped area", clipped_area_figure},
-                                              {"clipped lines", clipped_lines_figure},
-                                              {"uneven pen", uneven_pen_figure},
-                                              {"forms", form_figure},
-                                              {"tiles", tiled_figure},
-                                              {"shaded", shaded_figure},
-                                              {"light on dark", light_on_dark_figure},
-                                              {"area with edge", edged_figure},
-                                              {"picture", picture_figure},
-                                              {"label in box", label_figure},
-                                              {"watermarked", watermark_figure}}};
+constexpr std::array<PdfFigure, 21> figures{{{"outline", outline_figure},
+                                             {"open stroke", open_figure},
+                                             {"hair line", hair_figure},
+                                             {"dashes", dashed_figure},
+                                             {"dots", dotted_figure},
+                                             {"broad ring", broad_figure},
+                                             {"crossing star", crossing_figure},
+                                             {"ring", ring_figure},
+                                             {"united discs", united_figure},
+                                             {"clear discs", clear_figure},
+                                             {"clipped area", clipped_area_figure},
+                                             {"clipped lines", clipped_lines_figure},
+                                             {"uneven pen", uneven_pen_figure},
+                                             {"forms", form_figure},
+                                             {"tiles", tiled_figure},
+                                             {"shaded", shaded_figure},
+                                             {"light on dark", light_on_dark_figure},
+                                             {"area with edge", edged_figure},
+                                             {"picture", picture_figure},
+                                             {"label in box", label_figure},
+                                             {"watermarked", watermark_figure}}};
 
 }  // namespace
 
 std::span<const PdfFigure> pdf_figures() {
-    return kFigures;
+    return figures;
 }
 
 }  // namespace touchline::testing

@@ -65,7 +65,7 @@ Found found_with(const std::string& before, const std::string& after) {
                      {"<< /Type /Font /Subtype /Type1 /BaseFont /ZapfDingbats >>",
                       "<< /Type /Font /Subtype /TrueType /BaseFont /Wingdings >>"}))
         drawing.file.push_back(static_cast<char>(byte));
-    const auto felt = testing::felt_of(drawing, kMostDetail, testing::kTolerance_mm);
+    const auto felt = testing::felt_of(drawing, most_detail, testing::kTolerance_mm);
     EXPECT_TRUE(felt.has_value()) << felt.error().line;
     if (!felt) return {};
     Found found{felt->seen.share(), felt->felt.wrong_mm + felt->felt.too_near_mm, {}};

@@ -167,7 +167,7 @@ Drawing thin_fills(double width_mm, bool is_even_odd) {
 Drawing crossing_strokes(int seed) {
     Chance chance(800'000 + seed);
     const bool is_black = chance.coin();
-    constexpr std::array<std::array<double, 3>, 4> kColours{
+    constexpr std::array<std::array<double, 3>, 4> colours{
         {{180, 119, 31}, {14, 127, 220}, {44, 140, 44}, {40, 39, 214}}};
     const std::array<Polyline, 4> lines{
         wave({6.0, chance.between(14.0, 30.0)}, {110.0, chance.between(14.0, 30.0)},
@@ -183,7 +183,7 @@ Drawing crossing_strokes(int seed) {
     Drawing drawing;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const double width = chance.between(0.5, 6.0);
-        const auto& c = kColours[i];
+        const auto& c = colours[i];
         const cv::Scalar colour = is_black ? cv::Scalar(0, 0, 0) : cv::Scalar(c[0], c[1], c[2]);
         body += stroked_path(lines[i], width, colour, "");
         drawing.paints.push_back(stroked(lines[i], width, colour));

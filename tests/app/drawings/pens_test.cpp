@@ -51,7 +51,7 @@ TEST(Pens, ABrokenLineInAFlatPictureIsOneAndIsNamedSo) {
             const auto drawing =
                 is_scan ? testing::scanned(clean, 1) : testing::as_pixels(clean, {});
             ASSERT_TRUE(drawing.has_value()) << drawing.error().line;
-            const auto found = testing::felt_of(*drawing, kMostDetail, testing::kTolerance_mm);
+            const auto found = testing::felt_of(*drawing, most_detail, testing::kTolerance_mm);
             ASSERT_TRUE(found.has_value()) << drawing->name << ": " << found.error().line;
             fmt::print("{}: {:.1f} % felt, {:.0f} of {:.0f} mm named\n", drawing->name,
                        100.0 * found->seen.share(), named_mm(found->map), dashed_mm(clean));
@@ -74,7 +74,7 @@ TEST(Pens, AStrokeIsALineOrAnAreaThroughAllThatItCrosses) {
         const auto drawing =
             seed % 2 == 1 ? testing::scanned(clean, seed) : testing::as_pixels(clean, {});
         ASSERT_TRUE(drawing.has_value()) << drawing.error().line;
-        const auto found = testing::felt_of(*drawing, kMostDetail, testing::kTolerance_mm);
+        const auto found = testing::felt_of(*drawing, most_detail, testing::kTolerance_mm);
         ASSERT_TRUE(found.has_value()) << drawing->name << ": " << found.error().line;
         seen += found->seen;
         felt += found->felt;
@@ -90,7 +90,7 @@ TEST(Pens, BrokenLinesAloneAreFeltAndNamed) {
         for (const bool is_pixels : {false, true}) {
             const auto drawing = is_pixels ? testing::as_pixels(clean, {}) : clean;
             ASSERT_TRUE(drawing.has_value()) << drawing.error().line;
-            for (const int detail : {3, kMostDetail}) {
+            for (const int detail : {3, most_detail}) {
                 const auto found = testing::felt_of(*drawing, detail, testing::kTolerance_mm);
                 ASSERT_TRUE(found.has_value()) << drawing->name << ": " << found.error().line;
                 const double named = named_mm(found->map) / dashed_mm(clean);
@@ -106,7 +106,7 @@ TEST(Pens, BrokenLinesAloneAreFeltAndNamed) {
 TEST(Pens, AThinFilledOutlineIsOneLine) {
     for (const double width_mm : {0.6, 2.0})
         for (const bool is_even_odd : {true, false})
-            for (const int detail : {3, kMostDetail}) {
+            for (const int detail : {3, most_detail}) {
                 const testing::Drawing drawing = testing::thin_fills(width_mm, is_even_odd);
                 SCOPED_TRACE(fmt::format("{}, detail {}", drawing.name, detail));
                 const auto found = testing::felt_of(drawing, detail, testing::kTolerance_mm);
@@ -124,7 +124,7 @@ TEST(Pens, ADotOfARoundCapAloneIsARing) {
     drawing.file = R"(<svg xmlns="http://www.w3.org/2000/svg" width="400" height="300">)"
                    R"(<g stroke="#000" stroke-width="30" stroke-linecap="round">)"
                    R"(<path d="M260 150h0"/><path d="M140 150h0"/></g></svg>)";
-    for (const int detail : {3, kMostDetail}) {
+    for (const int detail : {3, most_detail}) {
         const auto view = testing::whole_view_of(drawing, detail, 1e12);
         ASSERT_TRUE(view.has_value()) << view.error().line;
         ASSERT_EQ(view->map.outlines.size(), 2U) << detail;

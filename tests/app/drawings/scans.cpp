@@ -17,7 +17,7 @@
 namespace touchline::testing {
 namespace {
 
-constexpr Effects kScanner{0.8, 3.0, 0.15, 80};
+constexpr Effects scanner{0.8, 3.0, 0.15, 80};
 
 Result<cv::Mat> painted_pixels(const Drawing& drawing) {
     auto page = whole_page(drawing.file);
@@ -50,7 +50,7 @@ struct Bed {
     bool has_holes = false;
 };
 
-constexpr std::array<Bed, 10> kBeds{{
+constexpr std::array<Bed, 10> beds{{
     {"dark border on one side", true, 0.04},
     {"dark border on two sides", true, 0.03, 0.05},
     {"dark border on four sides", true, 0.03, 0.04, 0.05, 0.03},
@@ -182,18 +182,18 @@ Result<Drawing> as_pixels(const Drawing& drawing, const Effects& effects) {
 }
 
 Result<Drawing> scanned(const Drawing& drawing, int seed) {
-    Effects effects = kScanner;
+    Effects effects = scanner;
     effects.seed = seed;
     return painted_pixels(drawing).map(
         [&](const cv::Mat& bgr) { return with_file(drawing, seen(bgr, effects), "scanned"); });
 }
 
 int bed_kind_count() {
-    return static_cast<int>(kBeds.size());
+    return static_cast<int>(beds.size());
 }
 
 Result<Drawing> scanned_on_bed(const Drawing& drawing, int kind, int seed) {
-    const Bed& bed = kBeds[static_cast<std::size_t>(kind)];
+    const Bed& bed = beds[static_cast<std::size_t>(kind)];
     Chance chance(900'000 + 1000 * kind + seed);
     const Placing placing(bed, chance.between(-bed.most_turn_deg, bed.most_turn_deg));
     Drawing moved = drawing;
@@ -203,7 +203,7 @@ Result<Drawing> scanned_on_bed(const Drawing& drawing, int kind, int seed) {
         for (std::vector<Polyline>& clip : paint.clips) clip = placing.of(std::move(clip));
     }
     for (cv::Rect2d& rect : moved.unjudged) rect = placing.around(rect);
-    Effects effects = kScanner;
+    Effects effects = scanner;
     effects.seed = seed;
     return painted_pixels(drawing).map([&](const cv::Mat& bgr) {
         return with_file(moved, seen(on_bed(bgr, bed, placing, chance), effects), bed.name);

@@ -23,7 +23,7 @@ int seeds_of_scans() {
 void add_scan(const Result<testing::Drawing>& scan, double least_share, testing::Counted& seen,
               testing::Counted& felt) {
     ASSERT_TRUE(scan.has_value()) << scan.error().line;
-    const auto found = testing::felt_of(*scan, kMostDetail, testing::kTolerance_mm);
+    const auto found = testing::felt_of(*scan, most_detail, testing::kTolerance_mm);
     ASSERT_TRUE(found.has_value()) << scan->name << ": " << found.error().line;
     seen += found->seen;
     felt += found->felt;
@@ -49,13 +49,13 @@ TEST(Scans, ChartsAreFeltAsTheyWerePrinted) {
 }
 
 TEST(Scans, WhatLiesAroundASheetIsNotFelt) {
-    constexpr std::array<int, 3> kWithoutNumbers{4, 5, 6};  // pie, floor plan, street map
+    constexpr std::array<int, 3> without_numbers{4, 5, 6};  // pie, floor plan, street map
     testing::Counted seen;
     testing::Counted felt;
     for (int bed = 0; bed < testing::bed_kind_count(); ++bed)
         for (int seed = 0; seed < seeds_of_scans(); ++seed)
             for (const int step : {0, 1}) {
-                const int kind = kWithoutNumbers[static_cast<std::size_t>(bed + seed + step) % 3];
+                const int kind = without_numbers[static_cast<std::size_t>(bed + seed + step) % 3];
                 add_scan(testing::scanned_on_bed(testing::chart_drawing(kind, seed), bed, seed),
                          0.97, seen, felt);
             }

@@ -17,15 +17,15 @@ std::string svg_sheet(std::string_view body) {
 }
 
 Ink any_ink(Chance& chance) {
-    constexpr std::array<std::array<int, 3>, 8> kInks{{{0, 0, 0},
-                                                       {128, 0, 0},
-                                                       {0, 100, 0},
-                                                       {0, 0, 128},
-                                                       {96, 64, 16},
-                                                       {70, 20, 90},
-                                                       {0, 80, 90},
-                                                       {60, 60, 60}}};
-    const auto [r, g, b] = kInks[static_cast<std::size_t>(chance.below(8))];
+    constexpr std::array<std::array<int, 3>, 8> inks{{{0, 0, 0},
+                                                      {128, 0, 0},
+                                                      {0, 100, 0},
+                                                      {0, 0, 128},
+                                                      {96, 64, 16},
+                                                      {70, 20, 90},
+                                                      {0, 80, 90},
+                                                      {60, 60, 60}}};
+    const auto [r, g, b] = inks[static_cast<std::size_t>(chance.below(8))];
     const std::array<std::string, 3> ways{
         fmt::format("#{:02x}{:02x}{:02x}", r, g, b), fmt::format("rgb({},{},{})", r, g, b),
         fmt::format("rgb({:.3f}%, {:.3f}%, {:.3f}%)", r / 2.55, g / 2.55, b / 2.55)};

@@ -265,7 +265,7 @@ Drawing patterns(Chance& chance) {
     return out;
 }
 
-constexpr std::array<SvgFeature, 15> kPaintFeatures{{{"fill rules", fill_rules},
+constexpr std::array<SvgFeature, 15> paint_features{{{"fill rules", fill_rules},
                                                      {"holes", holes},
                                                      {"closed by filling", closed_by_filling},
                                                      {"outlines", outlined},
@@ -284,7 +284,7 @@ constexpr std::array<SvgFeature, 15> kPaintFeatures{{{"fill rules", fill_rules},
 }  // namespace
 
 std::span<const SvgFeature> svg_paint_features() {
-    return kPaintFeatures;
+    return paint_features;
 }
 
 }  // namespace touchline::testing

@@ -11,7 +11,7 @@
 namespace touchline::testing {
 namespace {
 
-constexpr std::string_view kNamespaces =
+constexpr std::string_view namespaces =
     R"(xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink")";
 
 /// A form for each half, drawn with one pen.
@@ -174,7 +174,7 @@ Drawing units(Chance& chance) {
                     length(2 * r), length(44));
     const Polyline box{{{86 - r, 20}, {86 + r, 20}, {86 + r, 64}, {86 - r, 64}}, true};
     return in_file(
-        fmt::format(R"(<svg {} width="{}" height="{}">{}</svg>)", kNamespaces, length(116),
+        fmt::format(R"(<svg {} width="{}" height="{}">{}</svg>)", namespaces, length(116),
                     length(84), body),
         {stroked(arc(kLeftHalf_mm, {r, r}), width, {0, 0, 0}), filled(box, {0x80, 0x40, 0x20})});
 }
@@ -197,7 +197,7 @@ Drawing percents(Chance& chance) {
                               {w / 200 * kSheet_mm.width, h / 200 * kSheet_mm.height});
     const std::string_view size = chance.coin() ? R"(width="100%" height="100%")" : "";
     return in_file(
-        fmt::format(R"(<svg {} {} viewBox="0 0 116 84">{}</svg>)", kNamespaces, size, body),
+        fmt::format(R"(<svg {} {} viewBox="0 0 116 84">{}</svg>)", namespaces, size, body),
         {stroked(box, width, {0, 0, 0}), filled(oval, {0x40, 0x60, 0x20})});
 }
 
@@ -210,7 +210,7 @@ Drawing view_boxes(Chance& chance) {
     return in_file(
         fmt::format(R"(<svg {} width="{}" height="{}" viewBox="{:.6f} {:.6f} {:.6f} {:.6f}"><g )"
                     R"(transform='translate({:.6f} {:.6f}) scale({:.6f})'>{}</g></svg>)",
-                    kNamespaces, in_px ? "1160" : "116mm", in_px ? "840" : "84mm", from.x, from.y,
+                    namespaces, in_px ? "1160" : "116mm", in_px ? "840" : "84mm", from.x, from.y,
                     k * 116, k * 84, from.x, from.y, k, pair.body()),
         pair.paints());
 }
@@ -306,7 +306,7 @@ Drawing shadows(Chance& chance) {
     return in_file(svg_sheet(body), {filled(left.line, ink.bgr), filled(right.line, ink.bgr)});
 }
 
-constexpr std::array<SvgFeature, 15> kPlaceFeatures{{{"transforms", transforms},
+constexpr std::array<SvgFeature, 15> place_features{{{"transforms", transforms},
                                                      {"matrices", matrices},
                                                      {"transforms in style", style_transforms},
                                                      {"used again", used_again},
@@ -325,7 +325,7 @@ constexpr std::array<SvgFeature, 15> kPlaceFeatures{{{"transforms", transforms},
 }  // namespace
 
 std::span<const SvgFeature> svg_place_features() {
-    return kPlaceFeatures;
+    return place_features;
 }
 
 }  // namespace touchline::testing

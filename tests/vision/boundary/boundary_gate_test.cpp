@@ -104,10 +104,10 @@ TEST(LineGate, LettersAreTracedWithinAQuarterOfAPixel) {
 }
 
 TEST(Repeatability, TheSameLinesUnderOtherLightNoiseBlurAndJpeg) {
-    constexpr int kScenes = 8;
+    constexpr int scenes = 8;
     const cv::Size size(320, 240);
     std::map<std::string, BoundaryCounts> counts;
-    for (int i = 0; i < kScenes; ++i) {
+    for (int i = 0; i < scenes; ++i) {
         const TruthScene scene = pictogram_scene(3 * i, size);
         const cv::Mat1b before = photo_lines(scene.picture, 116.0).edge_strength;
         const std::vector<cv::Mat1b> truth{

@@ -8,7 +8,7 @@
 namespace touchline::testing {
 namespace {
 
-constexpr double kReachOverDiagonal = 0.0075;
+constexpr double reach_over_diagonal = 0.0075;
 constexpr int kNone = -1;
 
 using Neighbours = std::array<bool, 8>;  // clockwise from above
@@ -234,7 +234,7 @@ BoundaryCounts boundary_counts(const cv::Mat1b& strength, int least,
                                const std::vector<cv::Mat1b>& annotators) {
     const std::vector<cv::Point> edges = pixels_of(thinned(cv::Mat(strength >= least)));
     const std::vector<cv::Point> reach =
-        disc(kReachOverDiagonal * std::hypot(strength.rows, strength.cols));
+        disc(reach_over_diagonal * std::hypot(strength.rows, strength.cols));
     std::vector<bool> is_hit(edges.size(), false);
     BoundaryCounts counts;
     counts.edges_all = static_cast<double>(edges.size());

@@ -11,7 +11,7 @@
 namespace touchline::testing {
 namespace {
 
-constexpr double kReflected = 0.4;  // of another scene, as in a window: edges, not boundaries
+constexpr double reflected = 0.4;  // of another scene, as in a window: edges, not boundaries
 constexpr double kNoise_levels = 4.0;
 
 }  // namespace
@@ -22,9 +22,9 @@ std::vector<Polyline> glyph(const std::string& character, const Font& font, cv::
     Font large = font;
     large.size_px = kLarge_px;
     std::vector<Polyline> rings = Canvas({8, 8}, {255, 255, 255}).outline_of(character, {}, large);
-    constexpr double kFar = std::numeric_limits<double>::infinity();
-    cv::Point2d least(kFar, kFar);
-    cv::Point2d greatest(-kFar, -kFar);
+    constexpr double far = std::numeric_limits<double>::infinity();
+    cv::Point2d least(far, far);
+    cv::Point2d greatest(-far, -far);
     for (const Polyline& ring : rings) {
         for (const cv::Point2d& p : ring.points) {
             least = {std::min(least.x, p.x), std::min(least.y, p.y)};
@@ -69,7 +69,7 @@ TruthScene pictogram_scene(int i, cv::Size size) {
     cv::cvtColor(canvas.picture(), silhouette, cv::COLOR_BGR2GRAY);
     const PhotoScene scene = photo_of(silhouette, 100 + i, size);
     cv::Mat picture;
-    cv::addWeighted(scene.picture, 1.0 - kReflected, photo_scene(900 + i, size).picture, kReflected,
+    cv::addWeighted(scene.picture, 1.0 - reflected, photo_scene(900 + i, size).picture, reflected,
                     0.0, picture);
     cv::Mat1b inner;
     cv::erode(scene.truth, inner, cv::getStructuringElement(cv::MORPH_CROSS, {3, 3}));

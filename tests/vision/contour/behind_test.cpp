@@ -19,7 +19,7 @@ constexpr double kWidest_px = 25.0;
 const cv::Size kSize(900, 650);
 const cv::Scalar kWhite(255, 255, 255);
 const cv::Scalar kDark(90, 40, 20);
-const cv::Scalar kPale(216, 216, 216);
+const cv::Scalar pale(216, 216, 216);
 
 /// Keeps the lines of at least 4 mm; shorter ones are specks to a hand.
 std::vector<Chain> flat_lines(const cv::Mat& bgr) {
@@ -167,7 +167,7 @@ TEST(Behind, APaleGridIsNoLine) {
     for (const double tilt_deg : {0.0, 1.3, -2.0}) {
         for (const bool both_ways : {false, true}) {
             Canvas canvas(kSize, kWhite);
-            draw_grid(canvas, tilt_deg, both_ways, kPale);
+            draw_grid(canvas, tilt_deg, both_ways, pale);
             const cv::Rect2d shape(250, 180, 300, 260);
             canvas.fill({box(shape)}, kDark);
             const auto lines = flat_lines(canvas.picture());
@@ -189,7 +189,7 @@ TEST(Behind, SquaredPaperIsNoLineOfTheDrawingOnIt) {
 
 TEST(Behind, AGridThatIsAllThereIsIsFelt) {
     Canvas canvas(kSize, kWhite);
-    draw_grid(canvas, 0.0, true, kPale);
+    draw_grid(canvas, 0.0, true, pale);
     EXPECT_GE(flat_lines(canvas.picture()).size(), 12U);
 }
 
@@ -198,7 +198,7 @@ TEST(Behind, APaleDrawingIsFelt) {
     Canvas canvas(kSize, kWhite);
     canvas.fill({box({60, 60, 200, 200})}, kDark);
     for (const double y : {330.0, 360.0, 440.0, 585.0}) {
-        canvas.stroke({{{{320, y}, {860, y}}, false}}, 3.0, kPale);
+        canvas.stroke({{{{320, y}, {860, y}}, false}}, 3.0, pale);
     }
     EXPECT_EQ(flat_lines(canvas.picture()).size(), 5U);
 }

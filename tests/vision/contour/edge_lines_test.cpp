@@ -21,7 +21,7 @@ cv::Mat3b two_colours(const cv::Vec3b& left, const cv::Vec3b& right) {
 
 TEST(Gradient, ADifferenceOfColourCountsAsMuchAsOneOfLightness) {
     // CIE L*a*b* of the sRGB primaries: red (53.2, 80.1, 67.2), green (87.7, -86.2, 83.2).
-    const LabPicture lab = to_lab(two_colours({0, 0, 255}, {0, 255, 0}), kFullColour);
+    const LabPicture lab = to_lab(two_colours({0, 0, 255}, {0, 255, 0}), full_colour);
     const double distance = cv::norm(lab(20, 10) - lab(20, 50));
     EXPECT_NEAR(distance, 2.55 * std::hypot(87.7 - 53.2, -86.2 - 80.1, 83.2 - 67.2), 1.0);
 }
@@ -32,7 +32,7 @@ TEST(Gradient, TheNormalPointsToTheLighterSide) {
         const cv::Vec3b light(200, 210, 220);
         const cv::Mat3b picture =
             is_left_lighter ? two_colours(light, dark) : two_colours(dark, light);
-        const GradientField field = colour_gradient(to_lab(picture, kFullColour), 1.5);
+        const GradientField field = colour_gradient(to_lab(picture, full_colour), 1.5);
         EXPECT_NEAR(field.normal(20, 29)[0], is_left_lighter ? -1.0F : 1.0F, 1e-4F);
         for (const Chain& line : edge_lines(field, {5.0, 10.0})) {
             for (const EdgePoint& p : line.points) {
@@ -50,7 +50,7 @@ TEST(Gradient, SmoothRampsOfAnyColourHaveNoLines) {
             for (int x = 0; x < ramp.cols; ++x) {
                 ramp.col(x) = colour * static_cast<double>(x / pixels_a_level);
             }
-            const LabPicture lab = to_lab(ramp, kFullColour);
+            const LabPicture lab = to_lab(ramp, full_colour);
             const double noise = noise_of(lab);
             const double sigma_px = smoothing_for(lab, noise);
             const GradientField field = colour_gradient(lab, sigma_px);

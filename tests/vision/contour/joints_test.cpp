@@ -18,13 +18,13 @@ using testing::PenFigure;
 using testing::Polyline;
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr int kEveryday = 45;  // ten times as slow
+constexpr int everyday = 45;  // ten times as slow
 #else
-constexpr int kEveryday = 450;
+constexpr int everyday = 450;
 #endif
-constexpr int kExhaustive = 20'000;
+constexpr int exhaustive = 20'000;
 const cv::Size kPicture(560, 420);
-constexpr double kLeastRight = 0.995;
+constexpr double least_right = 0.995;
 constexpr double kNear_px = 10.0;
 
 std::vector<Polyline> found_in(const PenFigure& figure, int seed) {
@@ -63,7 +63,7 @@ Outcome outcome_of(int seed) {
 
 /// A pixel is a tenth of a millimetre at the hand.
 TEST(Joints, FiguresHangTogetherAsDrawn) {
-    const int count = std::getenv("TOUCHLINE_EXHAUSTIVE") != nullptr ? kExhaustive : kEveryday;
+    const int count = std::getenv("TOUCHLINE_EXHAUSTIVE") != nullptr ? exhaustive : everyday;
     int together = 0;
     int near = 0;
     for (int seed = 0; seed < count; ++seed) {
@@ -73,8 +73,8 @@ TEST(Joints, FiguresHangTogetherAsDrawn) {
     }
     fmt::print("{} figures: {} hang together as drawn, {} lie within a millimetre\n", count,
                together, near);
-    EXPECT_GE(together, kLeastRight * count);
-    EXPECT_GE(near, kLeastRight * count);
+    EXPECT_GE(together, least_right * count);
+    EXPECT_GE(near, least_right * count);
 }
 
 }  // namespace

@@ -24,10 +24,10 @@ double overlap(const Chain& ring, const cv::Mat1b& truth) {
 }
 
 TEST(MainShape, FindsTheObjectOfMostScenes) {
-    constexpr int kScenes = 40;
+    constexpr int scenes = 40;
     int found = 0;
     int right = 0;
-    for (int seed = 0; seed < kScenes; ++seed) {
+    for (int seed = 0; seed < scenes; ++seed) {
         const testing::PhotoScene scene = testing::photo_scene(seed, {480, 360});
         const std::optional<Chain> shape = main_shape(scene.picture, std::nullopt);
         if (shape) {
@@ -36,21 +36,21 @@ TEST(MainShape, FindsTheObjectOfMostScenes) {
             right += overlap(*shape, scene.truth) >= 0.8 ? 1 : 0;
         }
     }
-    EXPECT_GE(right, kScenes * 9 / 10);
+    EXPECT_GE(right, scenes * 9 / 10);
     EXPECT_GE(right, found * 9 / 10);  // no shape is better than a wrong one
 }
 
 TEST(MainShape, ASpotChoosesTheObject) {
     int right = 0;
-    constexpr int kScenes = 20;
-    for (int seed = 100; seed < 100 + kScenes; ++seed) {
+    constexpr int scenes = 20;
+    for (int seed = 100; seed < 100 + scenes; ++seed) {
         const testing::PhotoScene scene = testing::photo_scene(seed, {480, 360});
         const cv::Moments m = cv::moments(scene.truth, true);
         const std::optional<Chain> shape =
             main_shape(scene.picture, cv::Point2d(m.m10 / m.m00, m.m01 / m.m00));
         right += shape && overlap(*shape, scene.truth) >= 0.8 ? 1 : 0;
     }
-    EXPECT_GE(right, kScenes * 7 / 10);
+    EXPECT_GE(right, scenes * 7 / 10);
 }
 
 TEST(MainShape, NothingWhereNothingStandsOut) {

@@ -18,12 +18,12 @@ constexpr double kSmooth_px = 0.5;
 constexpr double kCorner_px = 1.0;
 constexpr double kTip_px = 3.0;
 
-const std::vector<Placement> kPlacements{
+const std::vector<Placement> placements{
     {{300, 300}, 220.0, 0.0}, {{400, 300}, 200.0, 17.0}, {{420, 360}, 270.0, 31.0}};
 
 /// Expects every ring once and closed, nothing else, and all of it within the limits.
 void expect_traced(const Look& look, double allowance) {
-    for (const Placement& place : kPlacements) {
+    for (const Placement& place : placements) {
         const cv::Point2d centre(place.picture.width / 2.0 + 0.3, place.picture.height / 2.0 - 0.2);
         for (const Shape& shape : test_shapes(centre, place.size_px, place.angle_deg)) {
             SCOPED_TRACE(shape.name + " at " + std::to_string(place.angle_deg) + " degrees, blur " +

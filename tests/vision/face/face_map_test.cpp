@@ -84,7 +84,7 @@ TEST(SlitRings, WhatHasNoTwoCornersOrNoWidthStaysAsItIs) {
 }
 
 /// Lines are as far apart as a finger can tell; number and length are free.
-constexpr TouchRules kFaceRules{60, 1e9, 3.9, 3.2};
+constexpr TouchRules face_rules{60, 1e9, 3.9, 3.2};
 
 /// The map has no outline of the person if `hair` is 0.
 FaceMap map_of(const MadeFace& face, double hair, const Area& area = {}) {
@@ -186,7 +186,7 @@ TEST(FaceMap, EveryPoseKeepsTheSpacingTheAreaAndTheOrder) {
         const FaceMap face = map_of(made, hair, area);
         SCOPED_TRACE(made.words());
         EXPECT_EQ(fault_of(face.map), "");
-        EXPECT_EQ(faults_of(face.map, kFaceRules), std::vector<std::string>{});
+        EXPECT_EQ(faults_of(face.map, face_rules), std::vector<std::string>{});
         for (const Outline& outline : face.map.outlines) {
             for (const Position& p : outline.points) {
                 EXPECT_LE(std::abs(p.x), 0.5 * area.width_m + 1e-9);

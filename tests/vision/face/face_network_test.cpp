@@ -99,8 +99,8 @@ TEST(FaceBoxes, ManyBoxesOfOneLookLeaveRoomForThoseOfTheNext) {
 
 TEST(FaceBoxes, NumbersThatAreNoBoxGiveNone) {
     constexpr float kNoNumber = std::numeric_limits<float>::quiet_NaN();
-    constexpr float kInfinite = std::numeric_limits<float>::infinity();
-    for (const float bad : {kNoNumber, kInfinite, -kInfinite, 1e30F, -1e30F, 2000.0F}) {
+    constexpr float infinite = std::numeric_limits<float>::infinity();
+    for (const float bad : {kNoNumber, infinite, -infinite, 1e30F, -1e30F, 2000.0F}) {
         for (int k = 0; k < 8; ++k) {
             Answer answer;
             answer.add(300, 5.0F);
@@ -108,7 +108,7 @@ TEST(FaceBoxes, NumbersThatAreNoBoxGiveNone) {
             EXPECT_TRUE(answer.boxes().empty()) << bad << " as number " << k;
         }
     }
-    for (const float bad : {kNoNumber, -kInfinite}) {
+    for (const float bad : {kNoNumber, -infinite}) {
         Answer answer;
         answer.add(300, bad);
         EXPECT_TRUE(answer.boxes().empty()) << bad;
@@ -162,11 +162,11 @@ class FaceNetworks : public ::testing::Test {
     std::unique_ptr<FaceNetwork> network_;
 };
 
-const std::vector<cv::Rect2d> kAll{{0.0, 0.0, 640.0, 480.0}};
+const std::vector<cv::Rect2d> all{{0.0, 0.0, 640.0, 480.0}};
 
 TEST_F(FaceNetworks, APaintedFaceIsFoundWhereItIs) {
     const MadeFace face;
-    const std::vector<FaceMesh> found = faces(portrait_of(face), kAll);
+    const std::vector<FaceMesh> found = faces(portrait_of(face), all);
     ASSERT_EQ(found.size(), 1U);
     const double unit = box_of(face.mesh()).width;
     for (const std::size_t i :
@@ -182,7 +182,7 @@ TEST_F(FaceNetworks, ATurnedPictureTurnsTheFace) {
         cv::Mat3b turned;
         cv::warpAffine(upright, turned, turn, upright.size(), cv::INTER_LINEAR,
                        cv::BORDER_REPLICATE);
-        const std::vector<FaceMesh> found = faces(turned, kAll);
+        const std::vector<FaceMesh> found = faces(turned, all);
         ASSERT_EQ(found.size(), 1U) << degrees;
         EXPECT_NEAR(tilt_of(found[0]) * 180.0 / CV_PI, -degrees, 4.0);
     }
@@ -192,7 +192,7 @@ TEST_F(FaceNetworks, AFaceIsOneOnlyInThePersonThatHasIt) {
     const cv::Mat3b picture = portrait_of({});
     EXPECT_TRUE(faces(picture, {}).empty());
     EXPECT_TRUE(faces(picture, {{0.0, 0.0, 150.0, 480.0}}).empty());
-    EXPECT_EQ(faces(picture, {{200.0, 100.0, 220.0, 380.0}, kAll[0]}).size(), 1U) << "once";
+    EXPECT_EQ(faces(picture, {{200.0, 100.0, 220.0, 380.0}, all[0]}).size(), 1U) << "once";
 }
 
 /// Returns a large picture with a face of 120 times `scale` pixels in it.
@@ -218,9 +218,9 @@ TEST_F(FaceNetworks, NothingAndNoiseAreNoFace) {
         cv::Mat3b picture(480, 640, cv::Vec3b(20, 20, 20) * (trial % 4));
         if (trial >= 4) random.fill(picture, cv::RNG::UNIFORM, 0, 256);
         if (trial >= 8) cv::GaussianBlur(picture, picture, {}, trial);
-        EXPECT_TRUE(faces(picture, kAll).empty()) << trial;
+        EXPECT_TRUE(faces(picture, all).empty()) << trial;
     }
-    EXPECT_TRUE(faces({}, kAll).empty());
+    EXPECT_TRUE(faces({}, all).empty());
 }
 
 TEST_F(FaceNetworks, BoxesThatLieNowhereDoNoHarm) {
@@ -233,7 +233,7 @@ TEST_F(FaceNetworks, BoxesThatLieNowhereDoNoHarm) {
         EXPECT_TRUE(faces(picture, {box}).empty()) << box;
     }
     EXPECT_EQ(faces(picture, {{0, 0, endless, endless}}).size(), 1U) << "it holds the picture";
-    EXPECT_TRUE(faces(cv::Mat3b(1, 1, cv::Vec3b(9, 9, 9)), kAll).empty());
+    EXPECT_TRUE(faces(cv::Mat3b(1, 1, cv::Vec3b(9, 9, 9)), all).empty());
     EXPECT_TRUE(faces(cv::Mat3b(3, 4000, cv::Vec3b(9, 9, 9)), {{0.0, 0.0, 4000.0, 3.0}}).empty());
 }
 
@@ -241,7 +241,7 @@ TEST(FaceNetwork, OneOfAnotherKindIsOneLine) {
     EXPECT_FALSE(FaceNetwork::from_onnx({}, shipped("facemesh")));
     auto swapped = FaceNetwork::from_onnx(shipped("facemesh"), shipped("blazeface"));
     ASSERT_TRUE(swapped);
-    const auto found = swapped->faces(portrait_of({}), kAll);
+    const auto found = swapped->faces(portrait_of({}), all);
     ASSERT_FALSE(found);
     EXPECT_EQ(found.error().line.find("the network that finds faces cannot be used"), 0U);
     EXPECT_EQ(found.error().line.find('\n'), std::string::npos);

@@ -12,16 +12,16 @@
 namespace touchline::testing {
 namespace {
 
-constexpr double kTall = 1.35;  // the face's height over its width
+constexpr double tall = 1.35;  // the face's height over its width
 
-const std::vector<int> kUpperLip{78, 191, 80, 81, 82, 13, 312, 311, 310, 415, 308};
-const std::vector<int> kLowerLip{78, 95, 88, 178, 87, 14, 317, 402, 318, 324, 308};
+const std::vector<int> upper_lip{78, 191, 80, 81, 82, 13, 312, 311, 310, 415, 308};
+const std::vector<int> lower_lip{78, 95, 88, 178, 87, 14, 317, 402, 318, 324, 308};
 
 /// A place in half widths of the face; x to the right, y down, z towards the viewer.
 using Place = cv::Vec3d;
 
 Place on_skull(double x, double y, double out = 0.0) {
-    const double inside = std::max(0.0, 1.0 - x * x - y * y / (kTall * kTall));
+    const double inside = std::max(0.0, 1.0 - x * x - y * y / (tall * tall));
     return {x, y, 0.8 * std::sqrt(inside) + out};
 }
 
@@ -47,8 +47,7 @@ void lay_oval(Places& places) {
                                 172, 58,  132, 93,  234, 127, 162, 21,  54,  103, 67,  109};
     for (std::size_t k = 0; k < oval.size(); ++k) {
         const double angle = 2.0 * std::numbers::pi * static_cast<double>(k) / 36.0;
-        places[static_cast<std::size_t>(oval[k])] = {std::sin(angle), -kTall * std::cos(angle),
-                                                     0.0};
+        places[static_cast<std::size_t>(oval[k])] = {std::sin(angle), -tall * std::cos(angle), 0.0};
     }
 }
 
@@ -66,15 +65,15 @@ void lay_eyes(Places& places, double open) {
 
 void lay_nose_and_mouth(Places& places, double open) {
     const std::vector<int> profile{10, 151, 9, 8};
-    lay(places, profile, [](double share) { return on_skull(0.0, -kTall + 0.9 * share); });
+    lay(places, profile, [](double share) { return on_skull(0.0, -tall + 0.9 * share); });
     lay(places, {168, 6, 197, 195, 5, 4, 1, 19},
         [](double share) { return on_skull(0.0, -0.35 + 0.6 * share, 0.4 * share); });
     lay(places, {94, 2, 164, 0, 11, 12, 15, 16, 17, 18, 200, 199, 175, 152}, [](double share) {
-        return on_skull(0.0, 0.32 + (kTall - 0.32) * share, 0.1 * (1.0 - share));
+        return on_skull(0.0, 0.32 + (tall - 0.32) * share, 0.1 * (1.0 - share));
     });
     lay(places, {129, 64, 98, 97, 2, 326, 327, 294, 358}, arc(-0.24, 0.24, 0.3, -0.07, 0.1));
-    lay(places, kUpperLip, arc(-0.38, 0.38, 0.72, 0.02 + 0.1 * open));
-    lay(places, kLowerLip, arc(-0.38, 0.38, 0.72, -0.02 * (1.0 - open) - 0.15 * open));
+    lay(places, upper_lip, arc(-0.38, 0.38, 0.72, 0.02 + 0.1 * open));
+    lay(places, lower_lip, arc(-0.38, 0.38, 0.72, -0.02 * (1.0 - open) - 0.15 * open));
 }
 
 void paint_eye(cv::Mat3b& picture, const std::vector<cv::Point>& ring) {
@@ -154,7 +153,7 @@ FaceMesh with_round_mouth(FaceMesh mesh) {
     const cv::Point2d centre = 0.5 * (mesh[78] + mesh[308]);
     const cv::Point2d across = mesh[308] - centre;
     const cv::Point2d down = kHigh * cv::Point2d(-across.y, across.x);
-    for (const auto& [lip, side] : {std::pair(&kUpperLip, -1.0), std::pair(&kLowerLip, 1.0)}) {
+    for (const auto& [lip, side] : {std::pair(&upper_lip, -1.0), std::pair(&lower_lip, 1.0)}) {
         for (std::size_t k = 0; k < lip->size(); ++k) {
             const double angle = std::numbers::pi * static_cast<double>(k) / 10.0;
             mesh[static_cast<std::size_t>((*lip)[k])] =
@@ -167,7 +166,7 @@ FaceMesh with_round_mouth(FaceMesh mesh) {
 cv::Mat3b portrait_of(const MadeFace& face) {
     const FaceMesh mesh = face.mesh();
     const cv::Rect2d box = box_of(mesh);
-    cv::Mat3b picture(kMadePicture, cv::Vec3b(150, 140, 120));
+    cv::Mat3b picture(made_picture, cv::Vec3b(150, 140, 120));
     const cv::Point middle(centre_of(box));
     cv::ellipse(picture, middle - cv::Point(0, cvRound(0.1 * box.height)),
                 cv::Size(cvRound(0.6 * box.width), cvRound(0.62 * box.height)), 0.0, 0.0, 360.0,
@@ -179,8 +178,8 @@ cv::Mat3b portrait_of(const MadeFace& face) {
 
 PersonMask made_person(const MadeFace& face, double hair) {
     const FaceMesh mesh = face.mesh();
-    const cv::Rect part = head_and_shoulders(mesh, kMadePicture);
-    cv::Mat1b mask(kMadePicture, uchar{0});
+    const cv::Rect part = head_and_shoulders(mesh, made_picture);
+    cv::Mat1b mask(made_picture, uchar{0});
     const cv::Rect2d box = box_of(mesh);
     const cv::Point2d middle = centre_of(box);
     cv::ellipse(mask, cv::Point(middle),

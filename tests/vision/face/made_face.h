@@ -10,7 +10,7 @@
 namespace touchline::testing {
 
 /// The size of the picture with the face.
-inline const cv::Size kMadePicture(640, 480);
+inline const cv::Size made_picture(640, 480);
 
 struct MadeFace {
     double turn_rad = 0.0;  // to the right of the picture

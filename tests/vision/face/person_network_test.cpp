@@ -25,17 +25,17 @@ cv::Mat1f likelihood(const cv::Mat3b& picture, const std::vector<cv::Rect2d>& pe
 }
 
 /// The box of the painted head.
-const cv::Rect2d kHead(210.0, 110.0, 180.0, 220.0);
+const cv::Rect2d head(210.0, 110.0, 180.0, 220.0);
 
 TEST(People, APersonIsLikelyInItsBoxAndNothingIsElsewhere) {
-    const cv::Mat1f found = likelihood(portrait_of({}), {kHead});
-    ASSERT_EQ(found.size(), kMadePicture);
+    const cv::Mat1f found = likelihood(portrait_of({}), {head});
+    ASSERT_EQ(found.size(), made_picture);
     EXPECT_GT(found(220, 300), 0.5F);
     EXPECT_TRUE(cv::checkRange(found, true, nullptr, 0.0, 1.0 + 1e-6));
-    const double beyond_px = 0.04 * kHead.height + 1.0;
+    const double beyond_px = 0.04 * head.height + 1.0;
     const cv::Point2d beyond(beyond_px, beyond_px);
     cv::Mat1f outside = found.clone();
-    outside(part_within({kHead.tl() - beyond, kHead.br() + beyond}, kMadePicture)).setTo(0.0F);
+    outside(part_within({head.tl() - beyond, head.br() + beyond}, made_picture)).setTo(0.0F);
     EXPECT_EQ(cv::countNonZero(outside), 0);
 }
 
@@ -51,9 +51,9 @@ TEST(People, FiveCountAtMostAndSmallOnesAreNotAmongThem) {
     const auto face = [&](const std::vector<cv::Rect2d>& people) {
         return likelihood(portrait_of({}), people)(220, 300);
     };
-    EXPECT_GT(face({corner, corner, corner, corner, kHead}), 0.5F);
-    EXPECT_EQ(face({corner, corner, corner, corner, corner, kHead}), 0.0F);
-    EXPECT_GT(face({small, small, small, small, small, kHead}), 0.5F);
+    EXPECT_GT(face({corner, corner, corner, corner, head}), 0.5F);
+    EXPECT_EQ(face({corner, corner, corner, corner, corner, head}), 0.0F);
+    EXPECT_GT(face({small, small, small, small, small, head}), 0.5F);
 }
 
 TEST(People, BoxesThatHoldNothingOfThePictureDoNotCount) {
@@ -102,7 +102,7 @@ TEST(People, ANetworkOfAnotherKindIsOneLine) {
     auto other =
         PersonNetwork::from_onnx(read_file(TOUCHLINE_SHIPPED_NETWORKS "/blazeface.onnx").value());
     ASSERT_TRUE(other);
-    const auto found = people_likelihood(portrait_of({}), std::vector{kHead}, *other);
+    const auto found = people_likelihood(portrait_of({}), std::vector{head}, *other);
     ASSERT_FALSE(found);
     EXPECT_EQ(found.error().line.find('\n'), std::string::npos);
 }

@@ -22,7 +22,7 @@ TEST(PersonOutline, RunsRoundHeadAndShouldersOpenWhereThePartEnds) {
     ASSERT_EQ(lines.size(), 1U);
     EXPECT_EQ(lines[0].part, FacePart::person);
     EXPECT_FALSE(lines[0].line.is_closed);
-    const cv::Rect part = head_and_shoulders(face.mesh(), kMadePicture);
+    const cv::Rect part = head_and_shoulders(face.mesh(), made_picture);
     EXPECT_NEAR(lines[0].line.points.front().at.y, part.br().y, 10.0);
     EXPECT_NEAR(lines[0].line.points.back().at.y, part.br().y, 10.0);
     const cv::Rect2d box = box_of(face.mesh());
@@ -33,7 +33,7 @@ TEST(PersonOutline, RunsRoundHeadAndShouldersOpenWhereThePartEnds) {
 
 TEST(PersonOutline, AHeadByItselfIsClosed) {
     const MadeFace face;
-    const cv::Rect part = head_and_shoulders(face.mesh(), kMadePicture);
+    const cv::Rect part = head_and_shoulders(face.mesh(), made_picture);
     const std::vector<PartLine> lines =
         person_outline({cv::Mat1b(part.size(), uchar{0}), part}, face.mesh());
     ASSERT_EQ(lines.size(), 1U) << "the face itself is person";
@@ -47,7 +47,7 @@ TEST(PersonOutline, AHeadByItselfIsClosed) {
 TEST(PersonOutline, AProfileKeepsItsNose) {
     MadeFace face;
     face.turn_rad = 1.4;
-    const cv::Rect part = head_and_shoulders(face.mesh(), kMadePicture);
+    const cv::Rect part = head_and_shoulders(face.mesh(), made_picture);
     const std::vector<PartLine> lines =
         person_outline({cv::Mat1b(part.size(), uchar{0}), part}, face.mesh());
     ASSERT_EQ(lines.size(), 1U);
@@ -73,7 +73,7 @@ TEST(PersonOutline, WithoutAPlaceForTheFaceThereIsNone) {
         << "all of the part is person: nothing of it is an edge";
     MadeFace beside;
     beside.middle = {-5000.0, 0.0};
-    EXPECT_TRUE(head_and_shoulders(beside.mesh(), kMadePicture).empty());
+    EXPECT_TRUE(head_and_shoulders(beside.mesh(), made_picture).empty());
     for (const cv::Rect part :
          {cv::Rect(0, 0, 1, 1), cv::Rect(300, 0, 1, 480), cv::Rect(0, 200, 640, 1)}) {
         EXPECT_LE(person_outline({cv::Mat1b(256, 256, uchar{200}), part}, face.mesh()).size(), 9U);

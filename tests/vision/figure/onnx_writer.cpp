@@ -23,8 +23,8 @@ std::string part(unsigned field, const std::string& bytes) {
 }
 
 std::string list_attribute(const std::string& name, const std::vector<std::int64_t>& values) {
-    constexpr std::int64_t kInts = 7;
-    std::string bytes = part(1, name) + number(20, kInts);
+    constexpr std::int64_t ints = 7;
+    std::string bytes = part(1, name) + number(20, ints);
     for (const std::int64_t value : values) {
         bytes += number(8, value);
     }
@@ -91,9 +91,9 @@ std::vector<std::byte> written(const OnnxGraph& graph) {
 
 OnnxGraph red_network() {
     OnnxGraph graph;
-    constexpr float kGain = 40.0F;  // (v - 128) / 256: a difference of 1/2 is even odds
-    graph.constants = {{"mix", {1, 3, 1, 1}, {kGain, -0.5F * kGain, -0.5F * kGain}},
-                       {"least", {1}, {-0.25F * kGain}}};
+    constexpr float gain = 40.0F;  // (v - 128) / 256: a difference of 1/2 is even odds
+    graph.constants = {{"mix", {1, 3, 1, 1}, {gain, -0.5F * gain, -0.5F * gain}},
+                       {"least", {1}, {-0.25F * gain}}};
     graph.inputs = {{"picture", {1, 3, 0, 0}}};
     graph.nodes = {{"Conv", {"picture", "mix", "least"}, "redder", {1, 1}},
                    {"Sigmoid", {"redder"}, "likelihood", {}}};

@@ -55,13 +55,13 @@ void Canvas::fill(const std::vector<Polyline>& rings, const cv::Scalar& ink) {
 void Canvas::stroke(const std::vector<Polyline>& lines, const Pen& pen, const cv::Scalar& ink) {
     constexpr std::array joins{CAIRO_LINE_JOIN_ROUND, CAIRO_LINE_JOIN_MITER, CAIRO_LINE_JOIN_BEVEL};
     constexpr std::array caps{CAIRO_LINE_CAP_ROUND, CAIRO_LINE_CAP_BUTT, CAIRO_LINE_CAP_SQUARE};
-    constexpr double kMitreLimit = 20.0;
+    constexpr double mitre_limit = 20.0;
     use(ink);
     add(lines);
     cairo_set_line_width(pen_, pen.width_px);
     cairo_set_line_join(pen_, joins[static_cast<std::size_t>(pen.join)]);
     cairo_set_line_cap(pen_, caps[static_cast<std::size_t>(pen.cap)]);
-    cairo_set_miter_limit(pen_, kMitreLimit);
+    cairo_set_miter_limit(pen_, mitre_limit);
     cairo_stroke(pen_);
 }
 

@@ -11,7 +11,7 @@ namespace touchline::testing {
 namespace {
 
 constexpr int kLongest_px = 200;
-constexpr int kSizeBytes = 3;
+constexpr int size_bytes = 3;
 
 cv::Size size_of(ByteReader& bytes) {
     const int form = bytes.choice(16);
@@ -42,8 +42,8 @@ cv::Scalar colour_of(ByteReader& bytes) {
 
 /// Returns the power to which files of cameras, screens and scanners raise light.
 double exponent_of(ByteReader& bytes) {
-    constexpr std::array<double, 8> kExponents{0.35, 0.45, 0.45, 0.55, 0.7, 1.0, 1.8, 2.5};
-    return kExponents[static_cast<std::size_t>(bytes.choice(8))];
+    constexpr std::array<double, 8> exponents{0.35, 0.45, 0.45, 0.55, 0.7, 1.0, 1.8, 2.5};
+    return exponents[static_cast<std::size_t>(bytes.choice(8))];
 }
 
 /// Returns BGR, 0 ... 255; hue in turns.
@@ -85,8 +85,8 @@ auto way_of(cv::Size size, ByteReader& bytes) {
 
 cv::Mat3b hue_ramp(cv::Size size, ByteReader& bytes) {
     const auto way = way_of(size, bytes);
-    constexpr std::array<double, 8> kSixths{1, 2, 3, 4, 5, 6, 12, 24};  // of a turn, as is common
-    const double turns = kSixths[static_cast<std::size_t>(bytes.choice(8))] / 6.0;
+    constexpr std::array<double, 8> sixths{1, 2, 3, 4, 5, 6, 12, 24};  // of a turn, as is common
+    const double turns = sixths[static_cast<std::size_t>(bytes.choice(8))] / 6.0;
     const double saturation = bytes.choice(4) == 0 ? 0.5 : 1.0;
     const bool is_shaded = bytes.choice(4) == 1;
     const double exponent = exponent_of(bytes);
@@ -239,13 +239,13 @@ cv::Mat3b one_colour(cv::Size size, ByteReader& bytes) {
 }
 
 using Maker = cv::Mat3b (*)(cv::Size, ByteReader&);
-constexpr int kKinds = 14;
+constexpr int kinds = 14;
 
 cv::Mat3b of_a_kind(int kind, cv::Size size, ByteReader& bytes) {
-    constexpr std::array<Maker, kKinds> kMakers{
+    constexpr std::array<Maker, kinds> makers{
         hue_ramp, hue_ramp, hue_ramp,    stripes, gamma_ramp,  checkers,   noise,
         dots,     discs,    text_blocks, raw,     pen_strokes, one_colour, ramps_in_bands};
-    return kMakers[static_cast<std::size_t>(kind) % kMakers.size()](size, bytes);
+    return makers[static_cast<std::size_t>(kind) % makers.size()](size, bytes);
 }
 
 /// Does what is often done to a picture on its way to a file.
@@ -274,14 +274,14 @@ void change(cv::Mat3b& picture, ByteReader& bytes) {
 
 cv::Mat odd_picture(ByteReader& bytes) {
     const cv::Size size = size_of(bytes);
-    const int kind = bytes.choice(kKinds);
-    const int beside = bytes.choice(3 * kKinds);  // another in the right half, one time in three
+    const int kind = bytes.choice(kinds);
+    const int beside = bytes.choice(3 * kinds);  // another in the right half, one time in three
     const bool is_grey = bytes.choice(4) == 0;
     // Reads the changes first: raw pixels take all remaining bytes.
     std::array<std::uint8_t, 2> ways{};
     for (std::uint8_t& way : ways) way = static_cast<std::uint8_t>(bytes.byte());
     cv::Mat3b picture = of_a_kind(kind, size, bytes);
-    if (beside < kKinds && size.width > 1) {
+    if (beside < kinds && size.width > 1) {
         const cv::Rect half(size.width / 2, 0, size.width - size.width / 2, size.height);
         of_a_kind(beside, half.size(), bytes).copyTo(picture(half));
     }
@@ -294,14 +294,14 @@ cv::Mat odd_picture(ByteReader& bytes) {
 }
 
 std::vector<std::uint8_t> random_picture_bytes(std::uint64_t seed, int n, int before) {
-    constexpr int kAfter = 60;
+    constexpr int after = 60;
     SplitMix random(seed + 0x10001U * static_cast<std::uint64_t>(n));
     std::vector<std::uint8_t> bytes;
-    for (int i = 0; i < before + kSizeBytes + kAfter; ++i) {
+    for (int i = 0; i < before + size_bytes + after; ++i) {
         bytes.push_back(static_cast<std::uint8_t>(random.below(256)));
     }
     // Each size is the least of three, so that half of the sides are below 42 pixels.
-    for (int i = 1; i < kSizeBytes; ++i) {
+    for (int i = 1; i < size_bytes; ++i) {
         std::uint8_t& side = bytes[static_cast<std::size_t>(before + i)];
         for (int more = 0; more < 2; ++more) {
             side = std::min(side, static_cast<std::uint8_t>(random.below(kLongest_px)));

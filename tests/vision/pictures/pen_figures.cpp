@@ -144,7 +144,7 @@ std::vector<Polyline> pen_letter(Chance& chance, double /*thin*/) {
 
 using PenMaker = std::vector<Polyline> (*)(Chance&, double);
 
-constexpr std::array<std::pair<const char*, PenMaker>, 9> kPenMakers{
+constexpr std::array<std::pair<const char*, PenMaker>, 9> pen_makers{
     {{"polygon", pen_polygon},
      {"star", pen_star},
      {"triangle", pen_triangle},
@@ -178,7 +178,7 @@ Graph graph_of(const std::vector<Polyline>& lines) {
 
 PenFigure pen_figure(int seed, cv::Size size) {
     Chance chance(seed);
-    const auto& [name, make] = kPenMakers[static_cast<std::size_t>(seed) % kPenMakers.size()];
+    const auto& [name, make] = pen_makers[static_cast<std::size_t>(seed) % pen_makers.size()];
     PenFigure figure{name, {}, {}};
     figure.pen.width_px = chance.between(2.5, 8.0);
     figure.pen.join = static_cast<Join>(chance.below(3));

@@ -18,7 +18,7 @@
 namespace touchline {
 namespace {
 
-constexpr double kPixelsPerMm = 3.0;
+constexpr double pixels_per_mm = 3.0;
 constexpr int kText_px = 16;
 constexpr int kRim_px = 6;
 
@@ -26,8 +26,8 @@ class Sheet {
   public:
     explicit Sheet(const Area& area)
         : area_(area),
-          cell_(static_cast<int>(1000.0 * area.width_m * kPixelsPerMm),
-                static_cast<int>(1000.0 * area.height_m * kPixelsPerMm)) {}
+          cell_(static_cast<int>(1000.0 * area.width_m * pixels_per_mm),
+                static_cast<int>(1000.0 * area.height_m * pixels_per_mm)) {}
 
     void add(const std::string& path) {
         Result<Picture> picture = read_picture(path);
@@ -88,17 +88,17 @@ class Sheet {
 
     void put_outline(const Outline& outline, std::size_t number, cv::Mat3b& row,
                      cv::Point at) const {
-        static const std::vector<cv::Scalar> kInks{{0, 0, 0},     {200, 60, 0},  {0, 0, 200},
-                                                   {0, 130, 0},   {160, 0, 160}, {0, 120, 220},
-                                                   {130, 130, 0}, {90, 90, 90}};
+        static const std::vector<cv::Scalar> inks{{0, 0, 0},     {200, 60, 0},  {0, 0, 200},
+                                                  {0, 130, 0},   {160, 0, 160}, {0, 120, 220},
+                                                  {130, 130, 0}, {90, 90, 90}};
         constexpr int kShift = 4;
         std::vector<cv::Point> points;
         for (const Position& p : outline.points) {
             const ViewBoxPoint mm = to_view_box(p, view_box_of(area_));
-            points.emplace_back(static_cast<int>((at.x + mm.u_mm * kPixelsPerMm) * (1 << kShift)),
-                                static_cast<int>((at.y + mm.v_mm * kPixelsPerMm) * (1 << kShift)));
+            points.emplace_back(static_cast<int>((at.x + mm.u_mm * pixels_per_mm) * (1 << kShift)),
+                                static_cast<int>((at.y + mm.v_mm * pixels_per_mm) * (1 << kShift)));
         }
-        const cv::Scalar& ink = kInks[number % kInks.size()];
+        const cv::Scalar& ink = inks[number % inks.size()];
         cv::polylines(row, points, outline.is_closed, ink, 2, cv::LINE_AA, kShift);
         if (!outline.is_closed) {
             for (const cv::Point& end : {points.front(), points.back()}) {

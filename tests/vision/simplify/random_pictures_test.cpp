@@ -35,7 +35,7 @@ struct Numbered {
 };
 
 void judge(const Numbered& picture, TraceTally& tally) {
-    const TraceTask task = task_of(random_picture_bytes(picture.seed, picture.number, kTaskBytes));
+    const TraceTask task = task_of(random_picture_bytes(picture.seed, picture.number, task_bytes));
     for (const std::string& fault : faults_of(task, tally)) {
         ADD_FAILURE() << "seed " << picture.seed << ", number " << picture.number << ", "
                       << words_for(task) << ": " << fault;

@@ -32,7 +32,7 @@ struct TruthPicture {
 };
 
 /// The number of pictures: glyphs, pictograms, scenes and strokes in turn.
-constexpr int kTruthPictures = 320;
+constexpr int truth_pictures = 320;
 
 constexpr int kFiner = 4;  // samples per pixel, each way
 
@@ -199,7 +199,7 @@ TruthPicture strokes(int n, cv::RNG& random) {
     return {fmt::format("strokes {}", n), pixels, {}};
 }
 
-/// Returns the n-th picture, the same on every call; 0 <= n < kTruthPictures.
+/// Returns the n-th picture, the same on every call; 0 <= n < truth_pictures.
 TruthPicture truth_picture(int n) {
     cv::RNG random(static_cast<std::uint64_t>(7919 * n + 1));
     switch (n % 4) {
@@ -302,17 +302,17 @@ void judge(const TruthPicture& picture, const Trace& trace, int detail, const Ar
 }
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr int kEverySo = 7;  // ten times as slow
+constexpr int every_so = 7;  // ten times as slow
 #else
-constexpr int kEverySo = 1;
+constexpr int every_so = 1;
 #endif
-constexpr int kKinds = 4;  // letters, pictograms, scenes, strokes: truth_picture() in turn
+constexpr int kinds = 4;  // letters, pictograms, scenes, strokes: truth_picture() in turn
 
 /// Judges every `stride`-th picture of a kind, or all of them if TOUCHLINE_EXHAUSTIVE is set.
 void judge_all(const Area& area, int kind, int stride) {
     // NOLINTNEXTLINE(concurrency-mt-unsafe)
     if (std::getenv("TOUCHLINE_EXHAUSTIVE") != nullptr) stride = 1;
-    for (int n = kind; n < kTruthPictures; n += kKinds * stride) {
+    for (int n = kind; n < truth_pictures; n += kinds * stride) {
         const TruthPicture picture = truth_picture(n);
         const auto found = find_lines(picture.pixels, {.area = area});
         ASSERT_TRUE(found) << picture.name << ": " << found.error().line;
@@ -329,14 +329,14 @@ void judge_all(const Area& area, int kind, int stride) {
 class TouchRulesOfKind : public ::testing::TestWithParam<int> {};
 
 TEST_P(TouchRulesOfKind, HoldOnTheSmallArea) {
-    judge_all({}, GetParam(), kEverySo);
+    judge_all({}, GetParam(), every_so);
 }
 
 TEST_P(TouchRulesOfKind, HoldOnALargeArea) {
-    judge_all({0.180, 0.120}, GetParam(), kEverySo);
+    judge_all({0.180, 0.120}, GetParam(), every_so);
 }
 
-INSTANTIATE_TEST_SUITE_P(TouchRules, TouchRulesOfKind, ::testing::Range(0, kKinds));
+INSTANTIATE_TEST_SUITE_P(TouchRules, TouchRulesOfKind, ::testing::Range(0, kinds));
 
 }  // namespace
 }  // namespace touchline::testing

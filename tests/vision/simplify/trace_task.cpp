@@ -85,8 +85,8 @@ void judge_touch(const TactileMap& map, int detail, Faults& faults) {
     // first, with nothing else in its way. Others beside it may then be longer, because it changes
     // where they are cut, and they are led to it.
     const double first_mm = length_of(map.outlines.front());
-    constexpr int kMostHalvings = 9;
-    for (int i = 0; i < kMostHalvings && first_mm < rules.stroke_mm; ++i) {
+    constexpr int most_halvings = 9;
+    for (int i = 0; i < most_halvings && first_mm < rules.stroke_mm; ++i) {
         rules.stroke_mm *= 0.5;
     }
     std::ranges::move(faults_of(map, rules), std::back_inserter(faults));
@@ -119,7 +119,7 @@ void judge_map(const Trace& trace, int detail, Faults& faults) {
 }  // namespace
 
 TraceTask task_of(std::span<const std::uint8_t> bytes) {
-    constexpr std::array<Area, 4> kAreas{Area{}, Area{}, Area{0.180, 0.120}, Area{0.05, 0.09}};
+    constexpr std::array<Area, 4> areas{Area{}, Area{}, Area{0.180, 0.120}, Area{0.05, 0.09}};
     ByteReader reader(bytes);
     TraceTask task;
     const int picture_class = reader.choice(5);
@@ -127,8 +127,8 @@ TraceTask task_of(std::span<const std::uint8_t> bytes) {
         task.options.picture_class = static_cast<PictureClass>(picture_class - 1);
     const int detail = reader.choice(8);
     task.details = {detail};
-    if (detail == 0 || detail > kMostDetail) task.details = {1, 2, 3, 4, 5};
-    task.options.area = kAreas[static_cast<std::size_t>(reader.choice(4))];
+    if (detail == 0 || detail > most_detail) task.details = {1, 2, 3, 4, 5};
+    task.options.area = areas[static_cast<std::size_t>(reader.choice(4))];
     const int zoom = reader.byte();  // magnifies one time in four
     const double right = reader.share() - 0.5;
     const double up = reader.share() - 0.5;

@@ -19,7 +19,7 @@ struct TraceTask {
 };
 
 /// The number of bytes in a task before those of its picture.
-inline constexpr int kTaskBytes = 6;
+inline constexpr int task_bytes = 6;
 
 /// Returns the task that these bytes mean: any class or none, any detail or all, four areas, zooms.
 [[nodiscard]] TraceTask task_of(std::span<const std::uint8_t> bytes);

@@ -214,18 +214,18 @@ cv::Mat1b zone_plate(int side) {
 /// Walls between cells, randomly open to the right or below: one ring that comes near itself
 /// everywhere.
 cv::Mat1b maze(int cells) {
-    constexpr int kCell = 12;
+    constexpr int cell = 12;
     cv::RNG random(5);
-    cv::Mat1b picture(cells * kCell + 4, cells * kCell + 4, uchar{255});
+    cv::Mat1b picture(cells * cell + 4, cells * cell + 4, uchar{255});
     for (int row = 0; row <= cells; ++row) {
         for (int column = 0; column <= cells; ++column) {
-            const cv::Point corner(column * kCell, row * kCell);
+            const cv::Point corner(column * cell, row * cell);
             const bool is_across = random.uniform(0, 2) == 0;
             if (column < cells && (row == 0 || row == cells || is_across)) {
-                picture(cv::Rect(corner.x, corner.y, kCell + 4, 4)) = 0;
+                picture(cv::Rect(corner.x, corner.y, cell + 4, 4)) = 0;
             }
             if (row < cells && (column == 0 || column == cells || !is_across)) {
-                picture(cv::Rect(corner.x, corner.y, 4, kCell + 4)) = 0;
+                picture(cv::Rect(corner.x, corner.y, 4, cell + 4)) = 0;
             }
         }
     }

@@ -182,10 +182,10 @@ std::vector<Detector> detectors() {
                               lab_quantile(2.5, 0.9), lab_quantile(2.5, 0.95), lab_median(2.0, 4.0),
                               lab_median(2.5, 4.0)};
     add_edge_drawing(all);
-    all.push_back(ours("as built", 0.0, kFullColour));
+    all.push_back(ours("as built", 0.0, full_colour));
     all.push_back(ours("colour counts less", 0.0, 1.0F));
     for (const double sigma_px : {1.0, 1.5, 3.5}) {
-        all.push_back(ours(fmt::format("σ {} px", sigma_px), sigma_px, kFullColour));
+        all.push_back(ours(fmt::format("σ {} px", sigma_px), sigma_px, full_colour));
     }
     all.push_back(whole());
     all.push_back(reduced_by(0.7));

@@ -27,10 +27,10 @@
 namespace touchline::bench {
 namespace {
 
-constexpr int kSvgSeeds = 8;
-constexpr int kChartSeeds = 6;
-constexpr int kPdfSeeds = 10;
-constexpr int kPenSeeds = 5;
+constexpr int svg_seeds = 8;
+constexpr int chart_seeds = 6;
+constexpr int pdf_seeds = 10;
+constexpr int pen_seeds = 5;
 
 struct Group {
     std::string name;
@@ -46,7 +46,7 @@ std::vector<Group> svg_groups() {
     Group dashes{"SVG: dashes and dots", {}};
     Group others{"SVG: all other features", {}};
     for (int feature = 0; feature < testing::svg_feature_count(); ++feature) {
-        for (int seed = 0; seed < kSvgSeeds; ++seed) {
+        for (int seed = 0; seed < svg_seeds; ++seed) {
             testing::Drawing drawing = testing::svg_drawing(feature, seed);
             (drawing.kind == "dashes and dots" ? dashes : others)
                 .drawings.push_back(std::move(drawing));
@@ -57,7 +57,7 @@ std::vector<Group> svg_groups() {
 
 Group pdf_group() {
     Group pages{"PDF: pages of six figures", {}};
-    for (int page = 0; page < kPdfSeeds * testing::pdf_page_count(); ++page)
+    for (int page = 0; page < pdf_seeds * testing::pdf_page_count(); ++page)
         pages.drawings.push_back(testing::pdf_page(page));
     return pages;
 }
@@ -65,7 +65,7 @@ Group pdf_group() {
 Group chart_group() {
     Group charts{"charts and plans", {}};
     for (int kind = 0; kind < testing::chart_kind_count(); ++kind)
-        for (int seed = 0; seed < kChartSeeds; ++seed)
+        for (int seed = 0; seed < chart_seeds; ++seed)
             charts.drawings.push_back(testing::chart_drawing(kind, seed));
     return charts;
 }
@@ -77,14 +77,14 @@ std::vector<Group> pixel_groups(const Group& charts) {
     Group crossings{"thin and thick strokes that cross", {}};
     int seed = 0;
     for (const testing::Drawing& chart : charts.drawings) {
-        add(scans, testing::scanned(chart, seed % kChartSeeds));
+        add(scans, testing::scanned(chart, seed % chart_seeds));
         add(beds, testing::scanned_on_bed(chart, seed % testing::bed_kind_count(), seed));
         ++seed;
     }
     for (const testing::Dashing& dashing : testing::dashings())
-        for (int i = 0; i < kPenSeeds; ++i)
+        for (int i = 0; i < pen_seeds; ++i)
             add(dashes, testing::as_pixels(testing::dashed_drawing(dashing, i), {}));
-    for (int i = 0; i < 2 * kPenSeeds; ++i)
+    for (int i = 0; i < 2 * pen_seeds; ++i)
         add(crossings, testing::as_pixels(testing::crossing_strokes(i), {}));
     return {scans, beds, dashes, crossings};
 }
@@ -107,7 +107,7 @@ using Way = std::function<Result<testing::Felt>(const testing::Drawing&)>;
 
 Way way_of_at_most(double most_pixels) {
     return [most_pixels](const testing::Drawing& drawing) {
-        return testing::felt_of(drawing, kMostDetail, testing::kTolerance_mm, most_pixels);
+        return testing::felt_of(drawing, most_detail, testing::kTolerance_mm, most_pixels);
     };
 }
 
@@ -121,7 +121,7 @@ Result<TactileMap> map_by(const std::string& program, const testing::Drawing& dr
     const std::string map = folder / "map.svg";
     std::ofstream(file, std::ios::binary) << drawing.file;
     auto child = Child::start(
-        program, {"trace", file, "-o", map, "--detail", std::to_string(kMostDetail)}, {},
+        program, {"trace", file, "-o", map, "--detail", std::to_string(most_detail)}, {},
         StandardStreams::nothing,
         {"TOUCHLINE_PROGRAMS=" + std::filesystem::path(program).parent_path().string()});
     if (!child) return tl::unexpected(child.error());
@@ -139,7 +139,7 @@ Way way_of_program(const std::string& program) {
             std::chrono::steady_clock::now() - begin;
         if (!map) return tl::unexpected(map.error());
         testing::Felt felt =
-            testing::felt_by(std::move(*map), drawing, kMostDetail, testing::kTolerance_mm);
+            testing::felt_by(std::move(*map), drawing, most_detail, testing::kTolerance_mm);
         felt.milliseconds = took.count();
         return felt;
     };

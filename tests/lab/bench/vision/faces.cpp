@@ -107,7 +107,7 @@ struct Measured {
     double map_ms = 0.0;
 };
 
-constexpr const char* kColumns =
+constexpr const char* columns =
     "picture,shows,pose,persons,faces,anywhere,outlines,eyes,turn,"
     "left,top,right,bottom,face_ms,map_ms,MB";
 
@@ -155,7 +155,7 @@ Result<void> measure_all(const std::string& pictures, const std::string& list,
     auto networks = networks_for_faces();
     if (!networks) return tl::unexpected(networks.error());
     const std::map<std::string, fs::path> files = files_in(pictures);
-    std::puts(kColumns);
+    std::puts(columns);
     for (const Listed& listed : listed_in(list)) {
         const auto file = files.find(listed.picture);
         if (file == files.end()) return failure(listed.picture + ": no such picture");

@@ -126,7 +126,7 @@ using testing::boundary_counts;
 using testing::BoundaryCounts;
 using testing::BoundarySweep;
 
-constexpr int kStageRuns = 21;
+constexpr int stage_runs = 21;
 
 double cpu_ms() {
     return 1000.0 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
@@ -230,7 +230,7 @@ void score_sizes(std::ofstream& csv) {
 bool write_stages(const std::string& results) {
     std::ofstream stages(results + "/stages.csv");
     fmt::print(stages, "stage,least_ms,median_ms\n");
-    for (const StageTime& time : still_stages(kStageRuns)) {
+    for (const StageTime& time : still_stages(stage_runs)) {
         fmt::print(stages, "{},{:.1f},{:.1f}\n", time.stage, time.least_ms, time.median_ms);
     }
     return stages.good();

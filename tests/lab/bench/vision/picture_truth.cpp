@@ -12,10 +12,10 @@ namespace {
 
 constexpr double kLeastLine_mm = 3.0;  // shorter ones are not required
 // The answer of a Sobel filter where a step of 25 of 255 has become three pixels wide.
-constexpr double kSeenStep = 60.0;
+constexpr double seen_step = 60.0;
 constexpr int kNearCorner_px = 31;
-constexpr float kCornerBeyondMiddle = 2.0F;  // in half widths, at 60 degrees
-constexpr double kAlong = 0.7;  // least cosine between the gradients of the two sides of a stroke
+constexpr float corner_beyond_middle = 2.0F;  // in half widths, at 60 degrees
+constexpr double along = 0.7;  // least cosine between the gradients of the two sides of a stroke
 
 const cv::Size kSheet(static_cast<int>(testing::kSheet_mm.width* kPixels_per_mm),
                       static_cast<int>(testing::kSheet_mm.height* kPixels_per_mm));
@@ -71,7 +71,7 @@ Gradient gradient_of(const cv::Mat& sheet) {
 
 cv::Mat edges_of(const Gradient& gradient, const cv::Rect& picture) {
     cv::Mat everywhere, parts, sizes, middles;
-    cv::Canny(gradient.x, gradient.y, everywhere, kSeenStep, kSeenStep, true);
+    cv::Canny(gradient.x, gradient.y, everywhere, seen_step, seen_step, true);
     cv::Mat edges(everywhere.size(), CV_8U, cv::Scalar(0));
     everywhere(picture).copyTo(edges(picture));
     const int count = cv::connectedComponentsWithStats(edges, parts, sizes, middles, 8);
@@ -95,7 +95,7 @@ std::optional<cv::Point> other_side(const cv::Mat& edges, const Gradient& gradie
             const cv::Point at = middle + beside;
             if (!cv::Rect({}, edges.size()).contains(at) || edges.at<uchar>(at) == 0) continue;
             const cv::Point2d there = gradient.at(at);
-            if (std::abs(own.dot(there)) > kAlong * cv::norm(there)) return at;
+            if (std::abs(own.dot(there)) > along * cv::norm(there)) return at;
         }
     }
     return std::nullopt;
@@ -165,7 +165,7 @@ PictureTruth truth_of(const cv::Mat& picture) {
     cv::dilate(half_widths, half_widths, cv::Mat::ones(kNearCorner_px, kNearCorner_px, CV_8U));
     for (PictureTruth::Edge& edge : truth.each) {
         if (edge.choices.size() == 1)
-            edge.beside_px = kCornerBeyondMiddle * half_widths.at<float>(edge.choices.front());
+            edge.beside_px = corner_beyond_middle * half_widths.at<float>(edge.choices.front());
     }
     return truth;
 }

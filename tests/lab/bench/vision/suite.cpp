@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kBar = 0.99;
+constexpr double bar = 0.99;
 
 struct Chapter {
     int drawings = 0;  // with something to see, painted alike by both programs
@@ -63,15 +63,15 @@ Judged judged(const fs::path& drawing) {
     if (!painted) return {"blank", {}};
     const PictureTruth truth = truth_of(testing::pixels_of(painted->picture));
     if (truth.each.empty()) return {"blank", {}};
-    auto view = testing::whole_view_of(drawing_at(drawing), kMostDetail, 1e9);
+    auto view = testing::whole_view_of(drawing_at(drawing), most_detail, 1e9);
     if (!view) return {"refused", {}};
     if (!are_alike(truth, truth_of(testing::pixels_of(view->page.picture)), testing::kTolerance_mm))
         return {"otherwise", {}};
-    const DetailLimits limits = limits_for(kMostDetail, view->map.area);
+    const DetailLimits limits = limits_for(most_detail, view->map.area);
     Shares shares = shares_of(truth, view->map, limits.gap_mm, testing::kTolerance_mm);
     if (static_cast<int>(view->map.outlines.size()) >= limits.strokes)
         shares.seen.too_many_mm = std::exchange(shares.seen.wrong_mm, 0.0);
-    const bool is_whole = shares.seen.share() >= kBar && shares.felt.share() >= kBar;
+    const bool is_whole = shares.seen.share() >= bar && shares.felt.share() >= bar;
     return {is_whole ? "whole" : "fault", shares};
 }
 
