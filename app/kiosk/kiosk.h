@@ -21,6 +21,7 @@
 #include "app/visit/visit.h"
 #include "config/settings/keys.h"
 #include "config/settings/settings.h"
+#include "config/types/pinned.h"
 #include "haptics/pantograph/profile.h"
 
 #include <atomic>
@@ -56,14 +57,10 @@ struct KioskParts {
     std::shared_ptr<std::atomic<WrittenLanguage>> reading_language;
 };
 
-class Kiosk {
+class Kiosk : private Pinned {
   public:
     explicit Kiosk(KioskParts parts);
     ~Kiosk() = default;
-    Kiosk(const Kiosk&) = delete;  // the handle refers to the settings
-    Kiosk(Kiosk&&) = delete;
-    Kiosk& operator=(const Kiosk&) = delete;
-    Kiosk& operator=(Kiosk&&) = delete;
 
     /// A key of a keyboard, keypad or joystick changed, at a time of step()'s clock. The table of
     /// keys decides its meaning, then the staff's table (app/visit/keys.h); else it is a dead

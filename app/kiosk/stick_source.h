@@ -7,6 +7,7 @@
 #include "app/documents/sticks/stick_port.h"
 #include "app/isolation/process/memory.h"
 #include "app/kiosk/loading/stages.h"
+#include "config/types/pinned.h"
 #include "config/types/result.h"
 
 #include <cstdint>
@@ -27,15 +28,8 @@ struct FilesChange {
     bool is_read = false;  // the search for files has ended; if there are none, the stick has none
 };
 
-class FileSource {
+class FileSource : public Interface {
   public:
-    FileSource() = default;
-    virtual ~FileSource() = default;
-    FileSource(const FileSource&) = delete;
-    FileSource(FileSource&&) = delete;
-    FileSource& operator=(const FileSource&) = delete;
-    FileSource& operator=(FileSource&&) = delete;
-
     /// Returns the latest change. Called several times a second; `now_ns` is of the monotonic
     /// clock.
     [[nodiscard]] virtual std::optional<FilesChange> poll(std::int64_t now_ns) = 0;

@@ -3,6 +3,7 @@
 #include "app/documents/decode/one_line.h"
 #include "app/isolation/process/descriptor.h"
 #include "app/operator/settings_files.h"
+#include "config/types/pinned.h"
 
 #include <algorithm>
 #include <array>
@@ -110,15 +111,10 @@ constexpr const char* yescrypt = "$y$";
 constexpr std::size_t longest_hash = 512;
 
 /// Wipes crypt's memory, so that its contents cannot be read back.
-struct Wiped {
+struct Wiped : private Pinned {
     crypt_data data{};
 
-    Wiped() = default;
-
     ~Wiped() { ::explicit_bzero(&data, sizeof data); }
-
-    Wiped(const Wiped&) = delete;
-    Wiped& operator=(const Wiped&) = delete;
 };
 
 std::string hash_of(const std::string& pin, const std::string& setting) {

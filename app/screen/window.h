@@ -4,6 +4,7 @@
 
 #include "app/screen/layout.h"
 #include "config/settings/keys.h"
+#include "config/types/pinned.h"
 #include "config/types/result.h"
 
 #include <cmath>
@@ -43,7 +44,7 @@ class Knob {
 /// The present time of Window::wait_until()'s clock (the steady clock).
 [[nodiscard]] std::int64_t now_ns();
 
-class Window {
+class Window : private Pinned {
   public:
     /// wait_until() calls these as things happen.
     struct Listener {
@@ -57,8 +58,6 @@ class Window {
     [[nodiscard]] static Result<std::unique_ptr<Window>> open(bool is_full_screen,
                                                               Listener listener);
     ~Window();
-    Window(const Window&) = delete;
-    Window& operator=(const Window&) = delete;
 
     /// The size of the drawable, in pixels; >= 1.
     [[nodiscard]] int width_px() const { return width_px_; }

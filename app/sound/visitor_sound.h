@@ -9,6 +9,7 @@
 #include "config/settings/sound.h"
 #include "config/types/contact_event.h"
 #include "config/types/hand_state.h"
+#include "config/types/pinned.h"
 #include "haptics/collision/scene.h"
 
 #include <cstddef>
@@ -31,15 +32,8 @@ struct HeardOutput {
     std::size_t first_volume = 0;
 };
 
-class VisitorSound {
+class VisitorSound : public Interface {
   public:
-    VisitorSound() = default;
-    virtual ~VisitorSound() = default;
-    VisitorSound(const VisitorSound&) = delete;
-    VisitorSound(VisitorSound&&) = delete;
-    VisitorSound& operator=(const VisitorSound&) = delete;
-    VisitorSound& operator=(VisitorSound&&) = delete;
-
     virtual void say(const Utterance& utterance) = 0;
 
     /// Stops speech, except safety messages.

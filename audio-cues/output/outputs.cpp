@@ -1,6 +1,7 @@
 #include "audio-cues/output/outputs.h"
 
 #include "audio-cues/synth/gain.h"
+#include "config/types/pinned.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +24,7 @@ Card open_card(int number) {
 }
 
 /// All names of a card at once.
-class ElementList {
+class ElementList : private Pinned {
   public:
     explicit ElementList(snd_ctl_t* card) {
         snd_ctl_elem_list_malloc(&list_);
@@ -36,11 +37,6 @@ class ElementList {
         snd_ctl_elem_list_free_space(list_);
         snd_ctl_elem_list_free(list_);
     }
-
-    ElementList(const ElementList&) = delete;
-    ElementList(ElementList&&) = delete;
-    ElementList& operator=(const ElementList&) = delete;
-    ElementList& operator=(ElementList&&) = delete;
 
     [[nodiscard]] unsigned size() const {
         return is_whole_ ? snd_ctl_elem_list_get_used(list_) : 0;

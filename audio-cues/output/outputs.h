@@ -6,6 +6,7 @@
 
 #include "audio-cues/synth/mixer.h"
 #include "config/settings/sound.h"
+#include "config/types/pinned.h"
 
 #include <array>
 #include <cstddef>
@@ -26,15 +27,8 @@ enum class HeadphoneSource : std::uint8_t { keypad, input_switch, jack_control }
 inline constexpr std::size_t headphone_source_count = 3;
 
 /// One source. A kiosk may have none of them.
-class HeadphonePresence {
+class HeadphonePresence : public Interface {
   public:
-    virtual ~HeadphonePresence() = default;
-    HeadphonePresence() = default;
-    HeadphonePresence(const HeadphonePresence&) = delete;
-    HeadphonePresence(HeadphonePresence&&) = delete;
-    HeadphonePresence& operator=(const HeadphonePresence&) = delete;
-    HeadphonePresence& operator=(HeadphonePresence&&) = delete;
-
     /// Call often, such as 60 times a second; never waits. Returns nothing if this source does not
     /// know.
     [[nodiscard]] virtual std::optional<bool> are_in(double now_s) = 0;

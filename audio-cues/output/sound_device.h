@@ -4,6 +4,7 @@
 #pragma once
 
 #include "audio-cues/synth/frames.h"
+#include "config/types/pinned.h"
 #include "config/types/result.h"
 
 #include <cstdint>
@@ -15,15 +16,8 @@ namespace touchline {
 /// Fills all the frames at once.
 using FrameSource = std::function<void(std::span<StereoFrame>)>;
 
-class SoundDevice {
+class SoundDevice : public Interface {
   public:
-    virtual ~SoundDevice() = default;
-    SoundDevice() = default;
-    SoundDevice(const SoundDevice&) = delete;
-    SoundDevice(SoundDevice&&) = delete;
-    SoundDevice& operator=(const SoundDevice&) = delete;
-    SoundDevice& operator=(SoundDevice&&) = delete;
-
     /// The device must be closed before. From here on it asks `source` for frames, a block at a
     /// time. Fails with one line if there is no device or it is in use.
     [[nodiscard]] virtual Result<void> open(FrameSource source) = 0;

@@ -6,6 +6,7 @@
 #include "audio-cues/synth/frames.h"
 #include "audio-cues/synth/limiter.h"
 #include "audio-cues/synth/mixer.h"
+#include "config/types/pinned.h"
 
 #include <atomic>
 #include <cstdint>
@@ -34,7 +35,7 @@ class FrameClock {
     std::atomic<std::int64_t> start_ns_{nothing};  // when frame 0 would have been
 };
 
-class SoundOutput {
+class SoundOutput : private Pinned {
   public:
     /// The mixer must outlive the output. The constructor opens nothing. `clock_ns` is the
     /// monotonic clock.
@@ -42,11 +43,6 @@ class SoundOutput {
                 std::function<std::int64_t()> clock_ns);
 
     ~SoundOutput() { device_->close(); }
-
-    SoundOutput(const SoundOutput&) = delete;
-    SoundOutput(SoundOutput&&) = delete;
-    SoundOutput& operator=(const SoundOutput&) = delete;
-    SoundOutput& operator=(SoundOutput&&) = delete;
 
     /// Call often, such as 60 times a second. Opens the device; closes it if it is gone or asked
     /// for nothing during stall_s, and tries again every retry_s. Meanwhile the mixer renders to

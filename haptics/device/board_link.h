@@ -3,6 +3,8 @@
 // the next one. Only rest() and set_lines() wait.
 #pragma once
 
+#include "config/types/pinned.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -33,15 +35,8 @@ struct Received {
 /// Threads: one at a time. No call logs; send(), sent() and receive() allocate and lock nothing of
 /// their own (usb_link.h says what libusb does). The destructor gives the board back, with
 /// transfers cancelled and lines low.
-class BoardLink {
+class BoardLink : public Interface {
   public:
-    BoardLink() = default;
-    virtual ~BoardLink() = default;
-    BoardLink(const BoardLink&) = delete;
-    BoardLink(BoardLink&&) = delete;
-    BoardLink& operator=(const BoardLink&) = delete;
-    BoardLink& operator=(BoardLink&&) = delete;
-
     /// Starts one transfer with the whole command, at most 64 bytes. Returns done if it is on its
     /// way. Returns under_way if the one before has not ended; then it starts nothing.
     [[nodiscard]] virtual LinkStatus send(std::span<const std::uint8_t> command) = 0;

@@ -47,10 +47,6 @@ class PantographBoard final : public ForceDevice {
                     const Calibration& calibration);
     /// Calls stop().
     ~PantographBoard() override;
-    PantographBoard(const PantographBoard&) = delete;
-    PantographBoard(PantographBoard&&) = delete;
-    PantographBoard& operator=(const PantographBoard&) = delete;
-    PantographBoard& operator=(PantographBoard&&) = delete;
 
     /// Call with the handle at home, unless set_calibration() will say where home was. Raises the
     /// lines, drains, sets the board up, writes zero and checks the replies exactly. Takes 30 ms,

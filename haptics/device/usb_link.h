@@ -2,6 +2,7 @@
 // Only for usb_boards.cpp.
 #pragma once
 
+#include "config/types/pinned.h"
 #include "haptics/device/board_link.h"
 #include "haptics/device/usb_boards.h"
 
@@ -22,15 +23,11 @@ namespace touchline {
 /// that it waits for, and a tick must not wait. Threads: step() one at a time, and it neither waits
 /// nor allocates. The destructor waits for a transfer that is under way; the system may take some
 /// seconds to give it up.
-class StallClearer {
+class StallClearer : private Pinned {
   public:
     /// `handle` must outlive it.
     StallClearer(libusb_device_handle* handle, std::array<std::uint8_t, 2> endpoints);
     ~StallClearer();
-    StallClearer(const StallClearer&) = delete;
-    StallClearer(StallClearer&&) = delete;
-    StallClearer& operator=(const StallClearer&) = delete;
-    StallClearer& operator=(StallClearer&&) = delete;
 
     /// Starts, or looks at the result: returns nothing while it is under way, then once how it
     /// ended, a libusb_error or 0.
@@ -59,10 +56,6 @@ class UsbLink final : public BoardLink {
     UsbLink(std::shared_ptr<libusb_context> context, libusb_device_handle* handle, int node,
             const SerialPipes& pipes, unsigned send_time_out_ms);
     ~UsbLink() override;
-    UsbLink(const UsbLink&) = delete;
-    UsbLink(UsbLink&&) = delete;
-    UsbLink& operator=(const UsbLink&) = delete;
-    UsbLink& operator=(UsbLink&&) = delete;
 
     [[nodiscard]] LinkStatus send(std::span<const std::uint8_t> command) override;
     [[nodiscard]] Sent sent() override;

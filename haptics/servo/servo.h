@@ -4,6 +4,7 @@
 
 #include "config/types/contact_event.h"
 #include "config/types/hand_state.h"
+#include "config/types/pinned.h"
 #include "config/types/result.h"
 #include "haptics/collision/scene.h"
 #include "haptics/device/force_device.h"
@@ -30,7 +31,7 @@ struct ServoOptions {
 };
 
 /// Threads: one, next_event() also from one other. Only start() and stop() wait for the servo.
-class Servo {
+class Servo : private Pinned {
   public:
     Servo();
     /// Uses a channel owned by somebody else, which must outlive the servo, for commands, reports
@@ -38,10 +39,6 @@ class Servo {
     explicit Servo(ServoChannel& channel);
     /// Calls stop().
     ~Servo();
-    Servo(const Servo&) = delete;
-    Servo(Servo&&) = delete;
-    Servo& operator=(const Servo&) = delete;
-    Servo& operator=(Servo&&) = delete;
 
     /// Takes the device and starts the loop: force off -> armed -> ramp -> live. Commands and a
     /// scene given before count from the first tick. Fails if the servo is already running or the

@@ -3,6 +3,8 @@
 // which bring their own, it counts only operator new. Threads: each counts its own.
 #pragma once
 
+#include "config/types/pinned.h"
+
 #include <cstdint>
 
 namespace touchline {
@@ -13,12 +15,10 @@ struct CallCounts {
 };
 
 /// Counts as long as it lives.
-class CallCounter {
+class CallCounter : private Pinned {
   public:
     CallCounter();
     ~CallCounter();
-    CallCounter(const CallCounter&) = delete;
-    CallCounter& operator=(const CallCounter&) = delete;
 };
 
 /// Returns what was counted since the last call.

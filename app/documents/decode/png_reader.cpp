@@ -2,6 +2,7 @@
 // whole picture.
 #include "app/documents/decode/formats.h"
 #include "app/documents/decode/shrinking.h"
+#include "config/types/pinned.h"
 
 #include <array>
 #include <csetjmp>
@@ -44,7 +45,7 @@ bool run(PngSource& source, const Step& step) {
     return true;
 }
 
-class Reader {
+class Reader : private Pinned {
   public:
     explicit Reader(Bytes bytes)
         : source{bytes, {}, {}},
@@ -55,11 +56,6 @@ class Reader {
             throw std::bad_alloc();
         }
     }
-
-    Reader(const Reader&) = delete;
-    Reader(Reader&&) = delete;
-    Reader& operator=(const Reader&) = delete;
-    Reader& operator=(Reader&&) = delete;
 
     ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
 

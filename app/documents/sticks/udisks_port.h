@@ -17,10 +17,6 @@ class UdisksPort final : public StickPort {
     /// Does not look at the bus yet.
     UdisksPort();
     ~UdisksPort() override;
-    UdisksPort(const UdisksPort&) = delete;
-    UdisksPort(UdisksPort&&) = delete;
-    UdisksPort& operator=(const UdisksPort&) = delete;
-    UdisksPort& operator=(UdisksPort&&) = delete;
 
     [[nodiscard]] std::vector<StickEvent> poll(std::int64_t now_ns) override;
 

@@ -7,6 +7,7 @@
 #include "app/force/servo/messages.h"
 #include "config/types/contact_event.h"
 #include "config/types/hand_state.h"
+#include "config/types/pinned.h"
 #include "config/types/tactile_map.h"
 #include "haptics/collision/scene.h"
 #include "haptics/servo/exchange.h"
@@ -28,15 +29,9 @@ struct FeltPicture {
     RecordedMap recorded;  // what the black box may record about it
 };
 
-class ServoClient {
+class ServoClient : public Interface {
   public:
-    ServoClient() = default;
     /// Stops the servo.
-    virtual ~ServoClient() = default;
-    ServoClient(const ServoClient&) = delete;
-    ServoClient(ServoClient&&) = delete;
-    ServoClient& operator=(const ServoClient&) = delete;
-    ServoClient& operator=(ServoClient&&) = delete;
 
     /// As Servo::set().
     virtual void set(const ServoCommands& commands) = 0;

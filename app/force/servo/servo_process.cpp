@@ -2,6 +2,7 @@
 
 #include "app/force/servo/running_servo.h"
 #include "app/force/servo/servo_connection.h"
+#include "config/types/pinned.h"
 #include "config/types/steady_clock.h"
 
 #include <algorithm>
@@ -40,7 +41,7 @@ bool is_loop_dead(const ServoChannel& channel) {
 
 }  // namespace
 
-class ServoProcess::Guard {
+class ServoProcess::Guard : private Pinned {
   public:
     explicit Guard(ServoProcessOptions options)
         : options_(std::move(options)),
@@ -52,11 +53,6 @@ class ServoProcess::Guard {
         wake();
         thread_.join();
     }
-
-    Guard(const Guard&) = delete;
-    Guard(Guard&&) = delete;
-    Guard& operator=(const Guard&) = delete;
-    Guard& operator=(Guard&&) = delete;
 
     ServoConnection line;
 

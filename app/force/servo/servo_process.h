@@ -55,10 +55,6 @@ class ServoProcess final : public ServoClient {
     explicit ServoProcess(ServoProcessOptions options);
     /// Stops the servo.
     ~ServoProcess() override;
-    ServoProcess(const ServoProcess&) = delete;
-    ServoProcess(ServoProcess&&) = delete;
-    ServoProcess& operator=(const ServoProcess&) = delete;
-    ServoProcess& operator=(ServoProcess&&) = delete;
 
     void set(const ServoCommands& commands) override;
     void feel(const FeltPicture& picture) override;

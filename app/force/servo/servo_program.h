@@ -6,6 +6,7 @@
 #pragma once
 
 #include "config/types/calibration.h"
+#include "config/types/pinned.h"
 #include "config/types/result.h"
 #include "haptics/device/force_device.h"
 #include "haptics/device/usb_boards.h"
@@ -35,14 +36,10 @@ struct EmergencyZero {
 ///                        zero with the next tick; 3 ms later zero from the handler, for the loop
 ///                        itself may have crashed; then the process dies of the signal
 /// Threads: made and destroyed by the main thread, with the servo running in between.
-class ZeroOnSignal {
+class ZeroOnSignal : private Pinned {
   public:
     ZeroOnSignal(Servo& servo, ServoChannel& channel, const EmergencyZero& zero);
     ~ZeroOnSignal();
-    ZeroOnSignal(const ZeroOnSignal&) = delete;
-    ZeroOnSignal(ZeroOnSignal&&) = delete;
-    ZeroOnSignal& operator=(const ZeroOnSignal&) = delete;
-    ZeroOnSignal& operator=(ZeroOnSignal&&) = delete;
 
     /// True if an end was asked for or the kiosk died.
     [[nodiscard]] bool is_end_asked() const;

@@ -4,6 +4,7 @@
 
 #include "app/kiosk/loading/load_plan.h"
 #include "app/kiosk/loading/stages.h"
+#include "config/types/pinned.h"
 
 #include <condition_variable>
 #include <cstddef>
@@ -26,15 +27,8 @@ struct FinishedJob {
 
 /// Runs jobs beside the caller's thread; in tests, wherever and whenever the test likes. One thread
 /// starts jobs and takes their results.
-class Executor {
+class Executor : public Interface {
   public:
-    Executor() = default;
-    virtual ~Executor() = default;
-    Executor(const Executor&) = delete;
-    Executor(Executor&&) = delete;
-    Executor& operator=(const Executor&) = delete;
-    Executor& operator=(Executor&&) = delete;
-
     /// `work` throws nothing. Never waits.
     virtual void start(std::uint64_t number, std::function<JobOutcome()> work) = 0;
 
@@ -49,10 +43,6 @@ class ThreadExecutor final : public Executor {
 
     /// Waits for the running jobs and drops those not begun.
     ~ThreadExecutor() override;
-    ThreadExecutor(const ThreadExecutor&) = delete;
-    ThreadExecutor(ThreadExecutor&&) = delete;
-    ThreadExecutor& operator=(const ThreadExecutor&) = delete;
-    ThreadExecutor& operator=(ThreadExecutor&&) = delete;
 
     void start(std::uint64_t number, std::function<JobOutcome()> work) override;
     [[nodiscard]] std::vector<FinishedJob> take_finished() override;

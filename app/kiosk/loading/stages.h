@@ -10,6 +10,7 @@
 #include "app/force/servo/servo_client.h"
 #include "app/screen/screen_content.h"
 #include "app/visit/page_place.h"
+#include "config/types/pinned.h"
 #include "config/types/result.h"
 #include "config/types/thing_name.h"
 #include "vision/simplify/zoom.h"
@@ -96,15 +97,8 @@ struct LoadedScene {
 }
 
 /// Each call stands by itself, from any thread. Errors are one line with the file's name.
-class Stages {
+class Stages : public Interface {
   public:
-    Stages() = default;
-    virtual ~Stages() = default;
-    Stages(const Stages&) = delete;
-    Stages(Stages&&) = delete;
-    Stages& operator=(const Stages&) = delete;
-    Stages& operator=(Stages&&) = delete;
-
     /// Opens page 1 ... of a file. Waits for a worker.
     [[nodiscard]] virtual Result<PagePtr> open(const PictureFile& file, int page) const = 0;
 

@@ -9,6 +9,7 @@
 #include "audio-cues/speech/speech_input.h"
 #include "audio-cues/speech/speech_queue.h"
 #include "audio-cues/synth/mixer.h"
+#include "config/types/pinned.h"
 
 #include <cstdint>
 #include <map>
@@ -19,18 +20,13 @@
 namespace touchline {
 
 /// The voice as the kiosk holds it.
-class VoiceProcess {
+class VoiceProcess : private Pinned {
   public:
     /// `program`: path of touchline-speak. It is started when there is something to say, and then
     /// in advance for the next text.
     explicit VoiceProcess(std::string program) : program_(std::move(program)) {}
 
     ~VoiceProcess() { end_process(); }
-
-    VoiceProcess(const VoiceProcess&) = delete;
-    VoiceProcess(VoiceProcess&&) = delete;
-    VoiceProcess& operator=(const VoiceProcess&) = delete;
-    VoiceProcess& operator=(VoiceProcess&&) = delete;
 
     /// From now on says only this, with the voice of that name. Never waits.
     void begin(const std::string& voice, const std::string& text, const EngineRate& rate);

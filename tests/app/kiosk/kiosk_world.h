@@ -4,6 +4,7 @@
 
 #include "app/kiosk/kiosk.h"
 #include "app/kiosk/loading/kiosk_stages.h"
+#include "config/types/pinned.h"
 #include "tests/app/kiosk/stepped_servo.h"
 #include "tests/machines/sim/kiosk/house.h"
 
@@ -14,15 +15,13 @@
 
 namespace touchline {
 
-class KioskWorld {
+class KioskWorld : private Pinned {
   public:
     /// Speaks all languages. `is_in_window`: runs in a desktop window. `gallery`: in these
     /// languages. `finder`: finds main things; empty: there is no network.
     explicit KioskWorld(bool is_in_window = false, Gallery gallery = whole_gallery(all_languages()),
                         ThingFinder finder = {});
     ~KioskWorld();
-    KioskWorld(const KioskWorld&) = delete;
-    KioskWorld& operator=(const KioskWorld&) = delete;
 
     /// Passes time, frame by frame.
     void run(double for_s);

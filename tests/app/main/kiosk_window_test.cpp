@@ -2,6 +2,7 @@
 #include "app/main/kiosk_window.h"
 
 #include "app/main/life_signs.h"
+#include "config/types/pinned.h"
 #include "haptics/device/simulated_pantograph.h"
 #include "haptics/servo/servo_step.h"
 
@@ -55,7 +56,7 @@ TEST(WatchdogPace, WithoutAWatchdogNothingIsFed) {
 }
 
 /// The process that started the kiosk, with a socket for it to talk to.
-class Starter {
+class Starter : private Pinned {
   public:
     Starter() {
         sockaddr_un place{};
@@ -73,11 +74,6 @@ class Starter {
         close(socket_);
         std::filesystem::remove(path_);
     }
-
-    Starter(const Starter&) = delete;
-    Starter(Starter&&) = delete;
-    Starter& operator=(const Starter&) = delete;
-    Starter& operator=(Starter&&) = delete;
 
     [[nodiscard]] std::vector<std::string> heard() const {
         std::vector<std::string> signs;

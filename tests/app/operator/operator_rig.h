@@ -5,6 +5,7 @@
 #include "app/operator/operator.h"
 #include "app/operator/profiles.h"
 #include "app/operator/settings_files.h"
+#include "config/types/pinned.h"
 
 #include <filesystem>
 #include <initializer_list>
@@ -14,13 +15,10 @@
 
 namespace touchline {
 
-class OperatorRig {
+class OperatorRig : private Pinned {
   public:
     explicit OperatorRig(Language words = {});
     ~OperatorRig();
-
-    OperatorRig(const OperatorRig&) = delete;
-    OperatorRig& operator=(const OperatorRig&) = delete;
 
     /// Lets half a second pass before each key.
     void press(std::initializer_list<KeyRole> roles);

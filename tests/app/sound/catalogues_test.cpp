@@ -2,6 +2,7 @@
 
 #include "config/settings/setting_rows.h"
 #include "config/settings/settings.h"
+#include "config/types/pinned.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -18,18 +19,13 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Sets a variable of the environment for as long as it lives.
-class Chosen {
+class Chosen : private Pinned {
   public:
     Chosen(const char* name, const std::string& value) : name_(name) {
         setenv(name, value.c_str(), 1);  // NOLINT(concurrency-mt-unsafe)
     }
 
     ~Chosen() { unsetenv(name_); }  // NOLINT(concurrency-mt-unsafe)
-
-    Chosen(const Chosen&) = delete;
-    Chosen(Chosen&&) = delete;
-    Chosen& operator=(const Chosen&) = delete;
-    Chosen& operator=(Chosen&&) = delete;
 
   private:
     const char* name_;

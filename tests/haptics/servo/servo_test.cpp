@@ -39,9 +39,6 @@ class WitnessedDevice final : public ForceDevice {
 
     ~WitnessedDevice() override { is_gone_ = true; }
 
-    WitnessedDevice(const WitnessedDevice&) = delete;
-    WitnessedDevice& operator=(const WitnessedDevice&) = delete;
-
     [[nodiscard]] std::optional<JointAngles> read_angles(double now_s) override {
         return inner_->read_angles(now_s);
     }

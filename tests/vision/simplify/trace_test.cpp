@@ -107,9 +107,6 @@ class Failing final : public cv::MatAllocator {
 
     ~Failing() override { cv::Mat::setDefaultAllocator(before_); }
 
-    Failing(const Failing&) = delete;
-    Failing& operator=(const Failing&) = delete;
-
     cv::UMatData* allocate(int, const int*, int, void*, std::size_t*, cv::AccessFlag,
                            cv::UMatUsageFlags) const override {
         throw cv::Exception(code_, "(-4) inside", "function", "file.cpp", 1);

@@ -1,6 +1,8 @@
 // Puts the liar in place of the workers, and checks what it may not leave behind.
 #pragma once
 
+#include "config/types/pinned.h"
+
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -38,15 +40,12 @@ namespace touchline {
 }
 
 /// The liar replaces the workers as long as this object lives.
-class LiarInPlace {
+class LiarInPlace : private Pinned {
   public:
     /// `folder`: the liar's folder.
     explicit LiarInPlace(const char* folder) { setenv("TOUCHLINE_PROGRAMS", folder, 1); }
 
     ~LiarInPlace() { setenv("TOUCHLINE_PROGRAMS", programs_.c_str(), 1); }
-
-    LiarInPlace(const LiarInPlace&) = delete;
-    LiarInPlace& operator=(const LiarInPlace&) = delete;
 
   private:
     std::string programs_ = std::getenv("TOUCHLINE_PROGRAMS");

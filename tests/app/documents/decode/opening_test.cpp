@@ -3,6 +3,7 @@
 
 #include "app/documents/decode/files.h"
 #include "app/documents/decode/side_car.h"
+#include "config/types/pinned.h"
 #include "tests/app/documents/decode/decoding_here.h"
 #include "tests/app/documents/decode/encoders.h"
 
@@ -81,16 +82,11 @@ TEST(Opening, WithoutTheProgramItSaysSo) {
 }
 
 /// A folder for this test, removed at the end.
-class Folder {
+class Folder : private Pinned {
   public:
     Folder() { std::filesystem::create_directories(path_); }
 
     ~Folder() { std::filesystem::remove_all(path_); }
-
-    Folder(const Folder&) = delete;
-    Folder(Folder&&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    Folder& operator=(Folder&&) = delete;
 
     [[nodiscard]] std::string write(const std::string& name,
                                     const std::vector<std::byte>& bytes) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/documents/packs/pack.h"
+#include "config/types/pinned.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -55,12 +56,10 @@ void mend_ogg_sums(Bytes& bytes);
 [[nodiscard]] int mutation_count(int a_day);
 
 /// A separate folder, removed with this object.
-class Folder {
+class Folder : private Pinned {
   public:
     Folder();
     ~Folder();
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
 
     [[nodiscard]] std::string path() const { return path_.string(); }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "app/isolation/process/descriptor.h"
+#include "config/types/pinned.h"
 
 #include <array>
 #include <cstring>
@@ -18,7 +19,7 @@
 
 namespace touchline {
 
-class HungStick {
+class HungStick : private Pinned {
   public:
     explicit HungStick(const std::filesystem::path& where) : where_(where) {
         const std::string options = "fd=" + std::to_string(device_.number()) +
@@ -30,11 +31,6 @@ class HungStick {
     }
 
     ~HungStick() { pull_out(); }
-
-    HungStick(const HungStick&) = delete;
-    HungStick(HungStick&&) = delete;
-    HungStick& operator=(const HungStick&) = delete;
-    HungStick& operator=(HungStick&&) = delete;
 
     [[nodiscard]] bool is_mounted() const { return is_mounted_; }
 

@@ -4,6 +4,7 @@
 
 #include "app/documents/sticks/bus_generations.h"
 #include "app/isolation/process/child.h"
+#include "config/types/pinned.h"
 #include "tests/app/documents/sticks/stick_folder.h"
 
 #include <array>
@@ -29,7 +30,7 @@ namespace touchline {
     return false;
 }
 
-class MockedUdisks {
+class MockedUdisks : private Pinned {
   public:
     /// `mock`: the path of udisks_mock.py.
     explicit MockedUdisks(std::string mock) : mock_(std::move(mock)) {
@@ -41,11 +42,6 @@ class MockedUdisks {
         stop_service();
         stop_bus();
     }
-
-    MockedUdisks(const MockedUdisks&) = delete;
-    MockedUdisks(MockedUdisks&&) = delete;
-    MockedUdisks& operator=(const MockedUdisks&) = delete;
-    MockedUdisks& operator=(MockedUdisks&&) = delete;
 
     void start_bus() {
         bus_.emplace(start("/usr/bin/dbus-daemon",

@@ -2,6 +2,8 @@
 // Threads: one.
 #pragma once
 
+#include "config/types/pinned.h"
+
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -29,7 +31,7 @@ namespace touchline {
 }
 
 /// Mounts the file `image` on the folder `where`.
-class MountedImage {
+class MountedImage : private Pinned {
   public:
     /// The device below stays writable, whatever the options say, like a stick's.
     MountedImage(const std::filesystem::path& image, std::filesystem::path where,
@@ -42,11 +44,6 @@ class MountedImage {
     ~MountedImage() {
         if (is_mounted_) (void)does("umount -l " + where_.string());
     }
-
-    MountedImage(const MountedImage&) = delete;
-    MountedImage(MountedImage&&) = delete;
-    MountedImage& operator=(const MountedImage&) = delete;
-    MountedImage& operator=(MountedImage&&) = delete;
 
     [[nodiscard]] bool is_mounted() const { return is_mounted_; }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/isolation/process/descriptor.h"
+#include "config/types/pinned.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -14,7 +15,7 @@
 
 namespace touchline {
 
-class StickFolder {
+class StickFolder : private Pinned {
   public:
     explicit StickFolder(
         const std::filesystem::path& parent = std::filesystem::temp_directory_path()) {
@@ -24,11 +25,6 @@ class StickFolder {
     }
 
     ~StickFolder() { std::filesystem::remove_all(path_); }
-
-    StickFolder(const StickFolder&) = delete;
-    StickFolder(StickFolder&&) = delete;
-    StickFolder& operator=(const StickFolder&) = delete;
-    StickFolder& operator=(StickFolder&&) = delete;
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 

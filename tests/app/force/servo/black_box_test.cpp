@@ -1,6 +1,7 @@
 #include "app/force/servo/black_box.h"
 
 #include "app/documents/decode/files.h"
+#include "config/types/pinned.h"
 #include "haptics/servo/servo_loop.h"
 #include "tests/haptics/servo/rigs.h"
 #include "tests/machines/sim/fault_lines.h"
@@ -157,7 +158,7 @@ TEST_F(BlackBoxFiles, WhatCannotBeWrittenIsOneLineAndTheServoGoesOn) {
 }
 
 /// While it lives, files of this process may grow to so many bytes and no more.
-class FullDisk {
+class FullDisk : private Pinned {
   public:
     explicit FullDisk(rlim_t bytes_left) : before_(std::signal(SIGXFSZ, SIG_IGN)) {
         const rlimit limit{bytes_left, RLIM_INFINITY};
@@ -169,9 +170,6 @@ class FullDisk {
         (void)setrlimit(RLIMIT_FSIZE, &limit);
         std::signal(SIGXFSZ, before_);
     }
-
-    FullDisk(const FullDisk&) = delete;
-    FullDisk& operator=(const FullDisk&) = delete;
 
   private:
     void (*before_)(int);

@@ -5,6 +5,7 @@
 #include "app/force/device/board_files.h"
 #include "app/force/servo/usb_search.h"
 #include "app/isolation/process/child.h"
+#include "config/types/pinned.h"
 #include "tests/machines/sim/board/board_rig.h"
 #include "tests/machines/sim/fault_lines.h"
 #include "tests/machines/sim/umockdev/mocked_board.h"
@@ -46,7 +47,7 @@ void PrintTo(const Death& death, std::ostream* out) {
 }
 
 /// While it lives, programs take all the processor time they can get.
-class OtherWork {
+class OtherWork : private Pinned {
   public:
     explicit OtherWork(int programs) {
         for (int i = 0; i < programs; ++i) {
@@ -66,11 +67,6 @@ class OtherWork {
             waitpid(child, nullptr, 0);
         }
     }
-
-    OtherWork(const OtherWork&) = delete;
-    OtherWork(OtherWork&&) = delete;
-    OtherWork& operator=(const OtherWork&) = delete;
-    OtherWork& operator=(OtherWork&&) = delete;
 
   private:
     std::vector<pid_t> children_;

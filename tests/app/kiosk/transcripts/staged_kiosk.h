@@ -6,6 +6,7 @@
 
 #include "app/kiosk/kiosk.h"
 #include "app/operator/operator_menu.h"
+#include "config/types/pinned.h"
 #include "haptics/device/homing.h"
 #include "tests/app/kiosk/stepped_servo.h"
 #include "tests/app/kiosk/transcripts/transcript.h"
@@ -23,12 +24,10 @@ struct Staging {
     SwitchUse two_switches = SwitchUse::none;
 };
 
-class StagedKiosk {
+class StagedKiosk : private Pinned {
   public:
     explicit StagedKiosk(const Staging& staging);
     ~StagedKiosk();
-    StagedKiosk(const StagedKiosk&) = delete;
-    StagedKiosk& operator=(const StagedKiosk&) = delete;
 
     // What the person does. Each call writes a stage direction.
     void press(KeyRole role);

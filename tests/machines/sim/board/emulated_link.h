@@ -57,10 +57,6 @@ class EmulatedLink final : public BoardLink {
     /// Both must outlive it. It listens at once.
     EmulatedLink(BoardEmulator& board, VirtualTime& time, std::vector<PlannedFault> faults = {});
     ~EmulatedLink() override;
-    EmulatedLink(const EmulatedLink&) = delete;
-    EmulatedLink(EmulatedLink&&) = delete;
-    EmulatedLink& operator=(const EmulatedLink&) = delete;
-    EmulatedLink& operator=(EmulatedLink&&) = delete;
 
     [[nodiscard]] LinkStatus send(std::span<const std::uint8_t> command) override;
     [[nodiscard]] Sent sent() override;

@@ -28,10 +28,6 @@ class SimHouse final : public Clock {
   public:
     SimHouse(const Plan& plan, Sabotage sabotage);
     ~SimHouse();
-    SimHouse(const SimHouse&) = delete;
-    SimHouse(SimHouse&&) = delete;
-    SimHouse& operator=(const SimHouse&) = delete;
-    SimHouse& operator=(SimHouse&&) = delete;
 
     [[nodiscard]] SimFigures run();
 

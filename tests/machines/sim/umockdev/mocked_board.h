@@ -2,6 +2,7 @@
 // here. The process must run under umockdev-wrapper. Real time drives the emulator.
 #pragma once
 
+#include "config/types/pinned.h"
 #include "tests/machines/sim/board/board_emulator.h"
 #include "tests/machines/sim/board/usb_function.h"
 
@@ -43,14 +44,10 @@ class UsbRequests {
 };
 
 /// The whole mocked USB of this process. Threads: calls from one; umockdev's own thread answers.
-class MockedUsb {
+class MockedUsb : private Pinned {
   public:
     MockedUsb();
     ~MockedUsb();
-    MockedUsb(const MockedUsb&) = delete;
-    MockedUsb(MockedUsb&&) = delete;
-    MockedUsb& operator=(const MockedUsb&) = delete;
-    MockedUsb& operator=(MockedUsb&&) = delete;
 
     [[nodiscard]] UMockdevTestbed* testbed() { return testbed_; }
 
@@ -68,16 +65,12 @@ class MockedUsb {
 };
 
 /// A board on the mocked USB, plugged in at once. Threads: as MockedUsb.
-class MockedBoard {
+class MockedBoard : private Pinned {
   public:
     /// port: of the only hub, 1 to 9. path: the hand's; none: it rests at home.
     MockedBoard(MockedUsb& usb, const BoardTruth& truth, int port = 1,
                 std::shared_ptr<const IntendedPath> path = nullptr);
     ~MockedBoard();
-    MockedBoard(const MockedBoard&) = delete;
-    MockedBoard(MockedBoard&&) = delete;
-    MockedBoard& operator=(const MockedBoard&) = delete;
-    MockedBoard& operator=(MockedBoard&&) = delete;
 
     void unplug();
     /// Plugs the board in under another device number.

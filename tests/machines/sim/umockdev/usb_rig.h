@@ -1,6 +1,7 @@
 // Drives a mocked board, with or without permission. Threads: one.
 #pragma once
 
+#include "config/types/pinned.h"
 #include "haptics/device/pantograph_board.h"
 #include "haptics/servo/tick_clock.h"
 
@@ -16,7 +17,7 @@
 namespace touchline {
 
 /// While it lives, this process is an ordinary user who cannot open the file.
-class Unprivileged {
+class Unprivileged : private Pinned {
   public:
     Unprivileged(const std::string& file, const std::string& folder) : file_(file) {
         // umockdev's own sockets stay open to everybody.
@@ -31,9 +32,6 @@ class Unprivileged {
         if (getuid() == 0) (void)!seteuid(0);
         std::filesystem::permissions(file_, std::filesystem::perms(0600));
     }
-
-    Unprivileged(const Unprivileged&) = delete;
-    Unprivileged& operator=(const Unprivileged&) = delete;
 
   private:
     std::string file_;

@@ -3,6 +3,7 @@
 // umockdev cannot: descriptors that two processes share, and processes that die.
 #pragma once
 
+#include "config/types/pinned.h"
 #include "tests/machines/sim/board/usb_function.h"
 
 #include <atomic>
@@ -27,15 +28,11 @@ void become_hardware();
 
 /// Real time drives the board.
 /// Threads: calls from one; two own threads answer and deliver like hardware, which is never busy.
-class UsbNodeServer {
+class UsbNodeServer : private Pinned {
   public:
     /// `path`: an existing file that the board replaces. Fails without the right to mount.
     static std::unique_ptr<UsbNodeServer> create(const std::string& path, const BoardTruth& truth);
     ~UsbNodeServer();
-    UsbNodeServer(const UsbNodeServer&) = delete;
-    UsbNodeServer(UsbNodeServer&&) = delete;
-    UsbNodeServer& operator=(const UsbNodeServer&) = delete;
-    UsbNodeServer& operator=(UsbNodeServer&&) = delete;
 
     /// Calls `look` while the board is at rest and its clock is at now.
     void with(const std::function<void(BoardEmulator&, UsbFaults&)>& look);

@@ -2,6 +2,7 @@
 // machine sees it on its own USB controller, and its kernel drives it like the real one.
 #pragma once
 
+#include "config/types/pinned.h"
 #include "tests/machines/sim/board/usb_function.h"
 
 #include <cstddef>
@@ -15,15 +16,8 @@
 namespace touchline {
 
 /// The emulated device. Bulk transfers go to one endpoint each way.
-class RedirectedFunction {
+class RedirectedFunction : public Interface {
   public:
-    RedirectedFunction() = default;
-    RedirectedFunction(const RedirectedFunction&) = delete;
-    RedirectedFunction(RedirectedFunction&&) = delete;
-    RedirectedFunction& operator=(const RedirectedFunction&) = delete;
-    RedirectedFunction& operator=(RedirectedFunction&&) = delete;
-    virtual ~RedirectedFunction() = default;
-
     [[nodiscard]] virtual std::uint8_t speed() const = 0;  // usb_redir_speed_...
     [[nodiscard]] virtual PacketBytes device() const = 0;
     [[nodiscard]] virtual PacketBytes configuration() const = 0;
@@ -46,15 +40,11 @@ class RedirectedFunction {
 [[nodiscard]] int listen_at(const char* path);
 
 /// One connection. Threads: one.
-class RedirectedDevice {
+class RedirectedDevice : private Pinned {
   public:
     /// Takes a connected socket and closes it at the end.
     RedirectedDevice(RedirectedFunction& function, int socket);
     ~RedirectedDevice();
-    RedirectedDevice(const RedirectedDevice&) = delete;
-    RedirectedDevice(RedirectedDevice&&) = delete;
-    RedirectedDevice& operator=(const RedirectedDevice&) = delete;
-    RedirectedDevice& operator=(RedirectedDevice&&) = delete;
 
     /// Serves in real time, until the other side or the plug has gone.
     void serve();
