@@ -3,6 +3,8 @@
 // Threads: a port by one; mount_options() is a pure function.
 #pragma once
 
+#include "config/types/pinned.h"
+
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -35,15 +37,8 @@ struct StickEvent {
 };
 
 /// One stick at a time: the one that came last. Another ready comes only after gone.
-class StickPort {
+class StickPort : public Interface {
   public:
-    StickPort() = default;
-    virtual ~StickPort() = default;
-    StickPort(const StickPort&) = delete;
-    StickPort(StickPort&&) = delete;
-    StickPort& operator=(const StickPort&) = delete;
-    StickPort& operator=(StickPort&&) = delete;
-
     /// What has happened since the last call, in order. `now_ns` is of the monotonic clock. Never
     /// waits; call it several times a second.
     [[nodiscard]] virtual std::vector<StickEvent> poll(std::int64_t now_ns) = 0;
