@@ -1,6 +1,6 @@
 #include "app/kiosk/kiosk.h"
 
-#include "app/documents/sticks/spoken_list.h"
+#include "app/documents/sticks/spoken_name.h"
 #include "app/visit/told_lines.h"
 #include "audio-cues/cues/cue_table.h"
 #include "audio-cues/words/words_of.h"

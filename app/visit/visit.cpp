@@ -1,6 +1,6 @@
 #include "app/visit/visit.h"
 
-#include "app/documents/sticks/spoken_list.h"
+#include "app/documents/sticks/spoken_name.h"
 #include "app/visit/visit_work.h"
 
 #include <algorithm>

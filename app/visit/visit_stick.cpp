@@ -1,5 +1,4 @@
 // A stick's list of files, all of them or those that begin alike, and its letters.
-#include "app/documents/sticks/spoken_list.h"
 #include "app/documents/sticks/spoken_name.h"
 #include "app/visit/visit_menu.h"
 

@@ -1,6 +1,5 @@
 #include "app/documents/sticks/first_letters.h"
 
-#include "app/documents/sticks/name_characters.h"
 #include "app/documents/sticks/names.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "app/documents/sticks/spoken_name.h"
 
-#include "app/documents/sticks/name_characters.h"
 #include "app/documents/sticks/name_parts.h"
+#include "app/documents/sticks/names.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,5 @@
 #include "app/documents/sticks/stick_port.h"
 
-#include "app/documents/sticks/udisks_port.h"
 #include "app/isolation/process/descriptor.h"
 
 #include <array>
@@ -38,11 +37,6 @@ std::optional<std::string> mount_options(std::string_view file_system, FileSyste
     if (file_system == "ext4") return plain + ",noload";
     if (file_system == "ntfs") return plain + ",norecover";
     return std::nullopt;
-}
-
-std::unique_ptr<StickPort> open_stick_port(const std::string& watched_folder) {
-    if (!watched_folder.empty()) return std::make_unique<FolderPort>(watched_folder);
-    return std::make_unique<UdisksPort>();
 }
 
 std::vector<StickEvent> FolderPort::poll(std::int64_t now_ns) {

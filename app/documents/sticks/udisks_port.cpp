@@ -1,6 +1,6 @@
-#include "app/documents/sticks/udisks_port.h"
-
+// Sticks through udisks2 on the system's bus, which mounts and unmounts them.
 #include "app/documents/sticks/bus_generations.h"
+#include "app/documents/sticks/stick_rules.h"
 
 #include <map>
 #include <string>
@@ -95,7 +95,35 @@ bool is_read(sdbus::Message& message, Values&... values) {
     }
 }
 
-}  // namespace
+/// Waits for udisks2 if it is absent or restarts. Threads: one, which calls poll().
+class UdisksPort final : public StickPort {
+  public:
+    /// Does not look at the bus yet.
+    UdisksPort();
+    ~UdisksPort() override;
+
+    [[nodiscard]] std::vector<StickEvent> poll(std::int64_t now_ns) override;
+
+    void allow(FileSystems allowed) override { rules_.allow(allowed); }
+
+    /// The following polls unmount the stick.
+    void end_session() override;
+
+    [[nodiscard]] bool is_watching() const override { return is_watching_; }
+
+  private:
+    class Bus;
+
+    void connect(std::int64_t now_ns);
+    void carry_out(const StickStep& step);
+    void lose_service();
+
+    std::unique_ptr<Bus> bus_;  // null: no bus
+    StickRules rules_;
+    std::vector<StickEvent> events_;
+    std::int64_t next_try_ns_ = 0;
+    bool is_watching_ = false;
+};
 
 /// The connection, and its messages in their order.
 class UdisksPort::Bus {
@@ -259,6 +287,13 @@ void UdisksPort::carry_out(const StickStep& step) {
 void UdisksPort::lose_service() {
     is_watching_ = false;
     rules_.on_service_lost();
+}
+
+}  // namespace
+
+std::unique_ptr<StickPort> open_stick_port(const std::string& watched_folder) {
+    if (!watched_folder.empty()) return std::make_unique<FolderPort>(watched_folder);
+    return std::make_unique<UdisksPort>();
 }
 
 }  // namespace touchline

@@ -1,7 +1,6 @@
 // Tests what is said of a file or a stick that a visitor brought, from its bytes through the
 // workers to the words: why it cannot be felt, in every language, and whether there is a thing
 // under the hand.
-#include "app/documents/sticks/spoken_list.h"
 #include "app/documents/sticks/spoken_name.h"
 #include "app/documents/trace/finding_things.h"
 #include "app/visit/told_lines.h"

@@ -1,5 +1,5 @@
 // Tests lists of names as they are said: no two sound alike, and none is longer than that needs.
-#include "app/documents/sticks/spoken_list.h"
+#include "app/documents/sticks/spoken_name.h"
 
 #include <algorithm>
 #include <chrono>

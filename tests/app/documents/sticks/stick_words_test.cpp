@@ -1,4 +1,4 @@
-#include "app/documents/sticks/spoken_list.h"
+#include "app/documents/sticks/spoken_name.h"
 
 #include <set>
 

@@ -1,6 +1,5 @@
 // Tests the port against a mocked udisks2 on a private bus.
-#include "app/documents/sticks/udisks_port.h"
-
+#include "app/documents/sticks/stick_port.h"
 #include "tests/app/documents/sticks/mocked_udisks.h"
 
 #include <algorithm>
@@ -45,7 +44,8 @@ class UdisksPortTest : public testing::Test {
     }
 
     MockedUdisks udisks{TOUCHLINE_SOURCE_DIR "/tests/app/documents/sticks/udisks_mock.py"};
-    UdisksPort port;
+    std::unique_ptr<StickPort> udisks_port = open_stick_port("");
+    StickPort& port = *udisks_port;
     std::int64_t now_ns = 0;
     Lines unexpected;
 };
