@@ -11,7 +11,6 @@
 namespace touchline {
 namespace {
 
-constexpr double moved_m = 0.002;  // a smaller motion is no sign of a person
 constexpr double motor_test_lasts_s = 2.5;
 
 constexpr std::array guidance_kinds{GuidanceKind::none, GuidanceKind::tour, GuidanceKind::to_place,
@@ -133,8 +132,7 @@ HandleSeen KioskHandle::take_seen() {
     HandleSeen seen;
     seen.place_W = hand_.p_WH;
     seen.speed_m_per_s = hand_.speed_m_per_s;
-    seen.has_moved = norm(hand_.p_WH - last_seen_W_) > moved_m;
-    if (seen.has_moved) last_seen_W_ = hand_.p_WH;
+    seen.has_moved = hand_.hand_moves != std::exchange(moves_seen_, hand_.hand_moves);
     const GuidancePhase phase = hand_.guidance.phase;
     seen.is_led = phase == GuidancePhase::running || phase == GuidancePhase::pausing;
     return seen;

@@ -47,7 +47,7 @@ struct KnobTurned {
 struct HandleSeen {
     Position place_W;                 // of the map that is felt
     std::optional<std::size_t> part;  // under the handle: index of PictureFacts::parts
-    bool has_moved = false;           // more than 2 mm since the last event that said so
+    bool has_moved = false;           // a hand has moved it since the last event
     double speed_m_per_s = 0.0;
     bool is_led = false;  // it moves by itself now; false while it waits for a hand
 };
