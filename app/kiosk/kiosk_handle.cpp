@@ -16,6 +16,22 @@ constexpr double motor_test_lasts_s = 2.5;
 constexpr std::array guidance_kinds{GuidanceKind::none, GuidanceKind::tour, GuidanceKind::to_place,
                                     GuidanceKind::to_line};  // by GuideKind
 
+/// Force that waits for a hand has lost the one that it guided.
+GuidanceEnd why_stopped(const ForceStatus& force) {
+    switch (force.state) {
+        case ForceState::fault:
+        case ForceState::off:
+            return GuidanceEnd::no_force;
+        case ForceState::armed:
+            return GuidanceEnd::let_go;
+        case ForceState::ramp:
+            return force.limit == Limit::hand ? GuidanceEnd::let_go : GuidanceEnd::other;
+        case ForceState::live:
+            break;
+    }
+    return GuidanceEnd::other;
+}
+
 }  // namespace
 
 KioskHandle::KioskHandle(std::unique_ptr<ServoClient> servo, const DeviceProfile& profile,
@@ -144,7 +160,7 @@ std::optional<GuidanceEnded> KioskHandle::take_guidance_end() {
     const bool has_arrived = status.phase == GuidancePhase::arrived;
     if (!has_arrived && status.phase != GuidancePhase::stopped) return std::nullopt;
     is_guiding_ = false;
-    return GuidanceEnded{has_arrived};
+    return GuidanceEnded{has_arrived ? GuidanceEnd::arrived : why_stopped(force_)};
 }
 
 std::optional<Position> KioskHandle::target() const {

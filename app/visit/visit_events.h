@@ -123,8 +123,11 @@ struct CameraFailed {
     std::string sentence;
 };
 
+/// no_force: a fault, or the force is off. other: there was nothing to guide along.
+enum class GuidanceEnd : std::uint8_t { arrived, let_go, no_force, other };
+
 struct GuidanceEnded {
-    bool has_arrived = false;  // false: it was stopped, or nobody held the handle
+    GuidanceEnd why = GuidanceEnd::arrived;
 };
 
 enum class TroubleKind : std::uint8_t { device, sound, camera, stick };
