@@ -113,20 +113,37 @@ void take(VisitWork& work, const CameraChanged& change) {
     if (open_screen(work) == VisitScreen::camera) say_screen(work);
 }
 
+std::string told_arrival(const VisitWork& work, GuideKind kind) {
+    if (kind == GuideKind::outline) return words(work, "You have gone all the way round.");
+    if (kind == GuideKind::bring_back) return words(work, "You are on a line.");
+    return language_of(work).text("guidance", "You are there.");
+}
+
+std::string told_end(const VisitWork& work, GuidanceEnd why, GuideKind kind) {
+    switch (why) {
+        case GuidanceEnd::arrived:
+            return told_arrival(work, kind);
+        case GuidanceEnd::let_go:
+            return words(work, "You let go of the handle. It has stopped guiding you.");
+        case GuidanceEnd::no_force:
+            return words(work, "The force is off. The handle has stopped guiding you.");
+        case GuidanceEnd::other:
+            break;
+    }
+    return words(work, "The handle has stopped guiding you.");
+}
+
 void take(VisitWork& work, const GuidanceEnded& ended) {
     auto& leading = work.visitor.leading;
     if (!leading || !leading->has_begun) return;
     const GuideKind kind = leading->guide.kind;
     leading.reset();
     work.visitor.active_s = work.site.now_s;
-    if (!ended.has_arrived)
-        return say_next(work, words(work, "The handle has stopped guiding you."));
-    cue(work, ScreenEvent::label_reached);
-    shake(work, HandlePattern::chosen);
-    if (kind == GuideKind::outline)
-        return say_next(work, words(work, "You have gone all the way round."));
-    if (kind == GuideKind::bring_back) return say_next(work, words(work, "You are on a line."));
-    say_next(work, language_of(work).text("guidance", "You are there."));
+    if (ended.why == GuidanceEnd::arrived) {
+        cue(work, ScreenEvent::label_reached);
+        shake(work, HandlePattern::chosen);
+    }
+    say_next(work, told_end(work, ended.why, kind));
 }
 
 void take(VisitWork& work, const TroubleBegan& began) {
@@ -148,7 +165,7 @@ void take(VisitWork& work, const TroubleEnded& ended) {
     const std::string told =
         words(work, kind == TroubleKind::device ? "The force is back." : "It works again.");
     if (open_screen(work) != VisitScreen::trouble || visitor.trouble != kind)
-        return say(work, told, SpeechPriority::hint);
+        return say_next(work, told);  // Repeat says it too, and no longer the trouble
     close_trouble(work, told);
 }
 

@@ -22,7 +22,9 @@ bool is_taken_at_once(VisitWork& work, bool is_volume = false) {
     }
     if (!was_leading || is_volume) return false;
     cue(work, ScreenEvent::key_taken);
-    say(work, words(work, "Stopped."));
+    say(work, words(work, has_keys(work.world)
+                              ? "You pressed a key. The handle has stopped guiding you."
+                              : "You pressed a switch. The handle has stopped guiding you."));
     return true;
 }
 

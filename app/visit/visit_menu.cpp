@@ -209,7 +209,7 @@ void select(VisitWork& work) {
         static_cast<VisitItem>(std::min(shown.id, static_cast<int>(VisitItem::entry)));
     cue(work, ScreenEvent::key_taken);
     shake(work, HandlePattern::chosen);
-    if (item == VisitItem::back) return step_back(work);
+    if (item == VisitItem::back) return row_of(open_screen(work)).back(work);
     if (item == VisitItem::next_ten) return turn_page(work, +1);
     if (item == VisitItem::ten_before) return turn_page(work, -1);
     if (const auto* const row = shown_row(open_screen(work), item))

@@ -151,6 +151,8 @@ struct VisitMenu {
 /// Enters the screen and says it.
 void show(VisitWork& work, VisitScreen screen, int about = 0, std::size_t focus = 0);
 
+[[nodiscard]] bool has_gallery(const VisitWorld& world);
+
 /// The title of what is felt, or what stands for it.
 [[nodiscard]] std::string picture_title(const VisitSheet& sheet);
 

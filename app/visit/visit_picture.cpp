@@ -183,7 +183,10 @@ void take(VisitWork& work, const PictureReady& ready) {
         if (done.reason == LoadReason::unasked) return;
         cue(work, ScreenEvent::picture_ready);
         leave_opening(work);
-        if (done.reason == LoadReason::other_picture) return arrive_at_picture(work);
+        if (done.reason == LoadReason::other_picture) {
+            visitor.has_felt = false;
+            return arrive_at_picture(work);
+        }
         return tell_change(work, done.reason);
     }
     if (!visitor.felt || visitor.felt->order.request != ready.request) return;

@@ -169,6 +169,12 @@ void lead_to_part(VisitWork& work, std::size_t part, const std::string& name) {
          words(work, "The handle will guide you to this part: {0}.", {name}));
 }
 
+/// To the pictures of the gallery, if there are any.
+void go_on_to_pictures(VisitWork& work) {
+    go_to(work, has_gallery(work.world) ? VisitScreen::gallery : VisitScreen::choose);
+    say_screen(work);
+}
+
 void other_shape(VisitWork& work) {
     const std::size_t shape = work.visitor.felt->order.index == 0 ? 1 : 0;
     open_picture(work, PictureSource::practice, shape, {});
@@ -322,6 +328,7 @@ constexpr auto picture_screens = std::to_array<VisitScreenRow>({
      .title = "Practice shape",
      .write = write_practice,
      .back_item = "Go on to the pictures",
+     .back = go_on_to_pictures,
      .view = ScreenView::picture},
     {.screen = S::picture,
      .write = write_picture,

@@ -311,7 +311,7 @@ constexpr auto main_items = std::to_array<VisitItemRow>({
      has_own_picture, picture_title},
     {S::choose, I::practise, "Practice shape", practise, "A circle shows how a line feels."},
     {S::choose, I::gallery, "Gallery", S::gallery, "The easiest come first.",
-     [](const VisitSheet& sheet) { return !gallery_of(sheet).empty(); }},
+     [](const VisitSheet& sheet) { return has_gallery(sheet.world); }},
     {S::choose, I::stick, "Your USB stick", S::stick,
      "Nothing is written to it. You can pull it out at any time.",
      [](const VisitSheet& sheet) { return sheet.world.rules.has_stick_port; }, stick_value},
@@ -340,6 +340,10 @@ constexpr auto main_items = std::to_array<VisitItemRow>({
 });
 
 }  // namespace
+
+bool has_gallery(const VisitWorld& world) {
+    return !world.gallery.empty() && !world.gallery.front().empty();
+}
 
 VisitMenu main_menu() {
     return {main_screens, main_items};

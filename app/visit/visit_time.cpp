@@ -103,6 +103,7 @@ void give_hint(VisitWork& work) {
     const double now_s = work.site.now_s;
     const double still_since_s = std::max(visitor.key_s, visitor.entered_s);
     if (!visitor.is_hint_due || now_s - still_since_s < hint_after_s) return;
+    if (visitor.leading) return;                            // every key would only stop the handle
     if (open_screen(work) == VisitScreen::opening) return;  // nobody has heard of it yet
     const bool is_of_languages = open_screen(work) == VisitScreen::language;
     const SpokenScreen screen = screen_of(work);
@@ -135,7 +136,8 @@ void begin_leading(VisitWork& work) {
 void mind_practice(VisitWork& work) {
     Standing& open = work.visitor.path.back();
     const bool is_told = open.about != 0;
-    if (open.screen != VisitScreen::practice || is_told || !work.visitor.has_touched) return;
+    if (open.screen != VisitScreen::practice || is_told) return;
+    if (!work.visitor.has_felt || work.visitor.leading) return;
     if (work.site.now_s - work.visitor.entered_s < practice_s) return;
     open.about = 1;
     say(work, words(work, "This is enough for practice. Press Back for the pictures."),
@@ -181,6 +183,12 @@ void name_part(VisitWork& work) {
     const bool is_asked_for = visitor.path.back().screen == VisitScreen::explore;
     say(work, visitor.felt->facts.parts[*handle.part].name,
         is_asked_for ? SpeechPriority::text : SpeechPriority::hint);
+}
+
+/// A hand moves on a line of what is felt.
+void note_felt(Visitor& visitor) {
+    if (!visitor.felt) return;
+    visitor.has_felt = true;
 }
 
 }  // namespace
@@ -232,6 +240,7 @@ void take(VisitWork& work, const HandleSeen& handle) {
     if (visitor.has_touched && keep_whole(work)) tell_things(work);
     const bool is_hand = handle.has_moved && !handle.is_led;
     if (is_hand) visitor.active_s = work.site.now_s;
+    if (is_hand && handle.part) note_felt(visitor);
     const VisitScreen screen = open_screen(work);
     if (is_hand && screen == VisitScreen::attract) return begin_visit(work);
     if (is_hand && screen == VisitScreen::question) {

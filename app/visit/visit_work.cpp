@@ -170,9 +170,7 @@ void leave(VisitWork& work) {
 }
 
 void step_back(VisitWork& work) {
-    const bool has_practised = open_screen(work) == VisitScreen::practice;
     leave(work);
-    if (has_practised) focus_on(work, VisitItem::gallery);
     const bool is_to_be_told =
         work.visitor.is_told_shortly && open_screen(work) == VisitScreen::picture;
     if (!is_to_be_told) return say_return(work);

@@ -64,7 +64,7 @@ void say_item_next(VisitWork& work, std::string text);
 void enter(VisitWork& work, VisitScreen screen, int about = 0, std::size_t focus = 0);
 void leave(VisitWork& work);
 
-/// Leaves and says so. After the practice, goes on to the pictures.
+/// Leaves and says so.
 void step_back(VisitWork& work);
 
 /// Opens `screen` directly, one level below choose.

@@ -119,7 +119,6 @@ TEST(VisitRun, TwoKeys) {
     ASSERT_TRUE(house.choose("Practice shape"));
     house.wait(0.5);
     ASSERT_TRUE(house.choose("Go on to the pictures"));
-    ASSERT_TRUE(house.choose("Gallery"));
     ASSERT_TRUE(house.choose("The next ten"));
     ASSERT_TRUE(house.choose("The ten before"));
     ASSERT_TRUE(house.choose("Picture 5 en"));
@@ -234,7 +233,7 @@ VisitEvent rude_event(std::mt19937& random, FakeHouse& house) {
         case 10:
             return CameraFailed{""};
         case 11:
-            return GuidanceEnded{upto(2) == 0};
+            return GuidanceEnded{static_cast<GuidanceEnd>(upto(4))};
         case 12:
             return TroubleBegan{static_cast<TroubleKind>(upto(4)), ""};
         case 13:

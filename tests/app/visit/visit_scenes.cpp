@@ -104,7 +104,7 @@ class Search {
             events.emplace_back(PictureFailed{order.request, {}});
         }
         if (visitor.is_capturing) events.emplace_back(CameraCaptured{});
-        if (visitor.leading && visitor.leading->has_begun) events.emplace_back(GuidanceEnded{true});
+        if (visitor.leading && visitor.leading->has_begun) events.emplace_back(GuidanceEnded{});
         if (visitor.path.back().screen == VisitScreen::stick && !visitor.stick_list) {
             events.emplace_back(
                 StickCame{{"boat", "letter", "lake", "3", "4", "5", "6", "7", "8", "9", "10"}, {}});

@@ -358,6 +358,24 @@ TEST(Visit, ER2_AVisitSurvivesEveryLoss) {
     EXPECT_TRUE(house.is_leading);
 }
 
+TEST(Visit, ForceThatIsBackIsSaidOnceAndRepeatNoLongerSaysThatThereIsNone) {
+    FakeHouse house;
+    to_picture(house);
+    house.apply(TroubleBegan{TroubleKind::device, ""});
+    house.press(KeyRole::select);
+    ASSERT_TRUE(house.choose("Guide me round the outer outline"));
+    ASSERT_TRUE(house.last_said().starts_with("The handle has no force now."));
+    const std::size_t before = house.transcript.size();
+    house.apply(TroubleEnded{TroubleKind::device});
+    house.apply(TroubleEnded{TroubleKind::device});
+    EXPECT_EQ(house.transcript.size(), before + 1);
+    for (int presses = 0; presses < 2; ++presses) {
+        house.press(KeyRole::repeat);
+        EXPECT_EQ(house.last_said().find("no force"), std::string::npos) << house.last_said();
+    }
+    EXPECT_EQ(house.transcript[before + 1].text, "The force is back.");
+}
+
 TEST(Visit, ER2_WhoComesLaterIsToldOfWhatLasts) {
     FakeHouse house;
     house.apply(TroubleBegan{TroubleKind::device, ""});
