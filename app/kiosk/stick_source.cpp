@@ -29,7 +29,6 @@ class StickReader {
     [[nodiscard]] Result<Mapping, StickRefusal> bytes_of(const std::string& root,
                                                          const StickEntry& entry);
 
-    /// Opening an office file says what to do.
     [[nodiscard]] Result<Page> open(const std::string& root, const StickEntry& entry,
                                     const PageOrder& order);
 
@@ -103,8 +102,6 @@ Result<Mapping, StickRefusal> StickReader::mapped(const std::string& root,
 Result<Page> StickReader::open(const std::string& root, const StickEntry& entry,
                                const PageOrder& order) {
     const std::string name = shown_name(entry.name);
-    if (entry.kind == StickFileKind::office)
-        return failure(name + ": " + std::string(office_sentence()));
     const auto bytes = read(root, entry);
     if (!bytes) return failure(sentence_of(bytes.error(), name));
     auto page = open_page((*bytes)->document.bytes(), order);
@@ -159,11 +156,12 @@ std::optional<Mapping> StickReader::side_car(const std::string& root, const Stic
 
 namespace {
 
-/// Returns one file per entry, in the same order, office files among them.
+/// The pictures and documents among the entries, in the same order.
 std::vector<FilePtr> files_of_stick(const std::shared_ptr<StickReader>& reader,
                                     const std::string& root, const StickListing& listing) {
     std::vector<FilePtr> files;
     for (const StickEntry& entry : listing.entries) {
+        if (entry.kind == StickFileKind::office) continue;
         const std::string stem = std::filesystem::path(entry.name).stem().string();
         files.push_back(std::make_shared<const PictureFile>(
             PictureFile{shown_name(entry.name), shown_name(stem), "", true,
@@ -212,7 +210,9 @@ std::optional<FilesChange> StickSource::take(const StickEvent& event) {
 
 FilesChange StickSource::change_of(const Listed& listed) const {
     if (!listed) return {{}, sentence_of(listed.error(), ""), {}, false};
-    return {files_of_stick(reader_, root_, *listed), "", listed->rest, true};
+    FilesChange change{files_of_stick(reader_, root_, *listed), "", listed->rest, true};
+    change.rest.office_files = static_cast<int>(listed->entries.size() - change.files.size());
+    return change;
 }
 
 OperatorStick::OperatorStick(const std::string& import_program)

@@ -57,7 +57,6 @@ constexpr auto rows_of_files = std::to_array<LineRow>({
     // Documents and pictures, by their readers.
     {"locked with a password", "The PDF is locked with a password. Save it without one."},
     {"is an office document", "Office files cannot be felt. Please bring the file as a PDF."},
-    {"Office files cannot be felt", "Office files cannot be felt. Please bring the file as a PDF."},
     {"is an archive of other files",
      "This file holds others, packed together. Unpack them on your computer first."},
     {"is no picture that is known here",

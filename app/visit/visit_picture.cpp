@@ -31,6 +31,15 @@ void stay_with_felt(VisitWork& work, LoadReason wanted) {
     }
 }
 
+/// Names the picture that was to be opened; a part of the one that is felt needs no name.
+std::string told_failure(const VisitWork& work, const Loading& failed,
+                         const std::string& sentence) {
+    if (sentence.empty())
+        return words(work, "This picture cannot be opened. It may be damaged. Choose another one.");
+    if (failed.reason != LoadReason::other_picture || failed.name.empty()) return sentence;
+    return words(work, "{0} cannot be opened.", {failed.name}) + ' ' + sentence;
+}
+
 void leave_opening(VisitWork& work) {
     if (work.visitor.path.back().screen == VisitScreen::opening) leave(work);
 }
@@ -258,18 +267,14 @@ void take(VisitWork& work, const ThingsLookedFor& looked) {
 void take(VisitWork& work, const PictureFailed& failed) {
     Visitor& visitor = work.visitor;
     if (!visitor.loading || visitor.loading->order.request != failed.request) return;
-    const LoadReason reason = visitor.loading->reason;
+    const Loading loading = *visitor.loading;
     visitor.loading.reset();
-    stay_with_felt(work, reason);
-    if (reason == LoadReason::main_thing) return tell_names(work);
-    if (reason == LoadReason::unasked) return;
+    stay_with_felt(work, loading.reason);
+    if (loading.reason == LoadReason::main_thing) return tell_names(work);
+    if (loading.reason == LoadReason::unasked) return;
     leave_opening(work);
-    if (reason == LoadReason::thing_here) return say_return(work, failed.sentence);
-    const std::string sentence =
-        failed.sentence.empty()
-            ? words(work, "This picture cannot be opened. It may be damaged. Choose another one.")
-            : failed.sentence;
-    show_trouble(work, sentence, std::nullopt);
+    if (loading.reason == LoadReason::thing_here) return say_return(work, failed.sentence);
+    show_trouble(work, told_failure(work, loading, failed.sentence), std::nullopt);
 }
 
 }  // namespace touchline

@@ -107,10 +107,6 @@ bool is_left_out(std::string_view name) {
                                [name](std::string_view folder) { return is_same(name, folder); });
 }
 
-std::string_view office_sentence() {
-    return "Office files cannot be felt; please save it as a PDF and bring that";
-}
-
 bool is_file_name(std::string_view name) {
     using namespace std::string_view_literals;
     return !name.empty() && name.size() <= longest_name_bytes && name != "." && name != ".." &&

@@ -15,9 +15,9 @@
 
 namespace touchline {
 
-/// picture: one image. document: pages or vectors. office: listed so that one sentence can ask for
-/// a PDF of it; it is not opened. Only for the operator: pack, of pictures; network, one that
-/// Touchline knows (app/documents/models).
+/// picture: one image. document: pages or vectors. office: counted so that one sentence can ask for
+/// PDFs; it is not offered. Only for the operator: pack, of pictures; network, one that Touchline
+/// knows (app/documents/models).
 enum class StickFileKind : std::uint8_t { picture, document, office, pack, network };
 
 inline constexpr int stick_file_kind_count = 5;
@@ -32,9 +32,6 @@ inline constexpr int stick_file_kind_count = 5;
 
 /// True for hidden files and folders, and for those that systems put on sticks for themselves.
 [[nodiscard]] bool is_left_out(std::string_view name);
-
-/// What to do with an office file: one sentence for screen and voice.
-[[nodiscard]] std::string_view office_sentence();
 
 inline constexpr std::size_t most_listed = 10'000;
 inline constexpr std::size_t most_listed_folders = 2'000;
@@ -58,6 +55,7 @@ struct StickRest {
     bool has_deeper = false;      // there are folders below deepest_folder
     bool has_unreadable = false;  // folders, or names in them, could not be read
     bool is_cut_short = false;    // too many folders or names, or no time for them
+    int office_files = 0;         // counted by the kiosk among a listing's entries
 
     friend bool operator==(const StickRest&, const StickRest&) = default;
 

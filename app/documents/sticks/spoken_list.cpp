@@ -115,8 +115,13 @@ void add(std::string& text, const std::string& sentences) {
     text += sentences;
 }
 
-/// One sentence per reason about folders, because each has another remedy.
-void add_folders(std::string& text, const StickRest& rest, const Language& language) {
+/// One sentence per reason about folders and files, because each has another remedy.
+void add_remedies(std::string& text, const StickRest& rest, const Language& language) {
+    if (rest.office_files > 0) {
+        add(text, language.counted("stick", "{0} office file cannot be felt. Bring it as a PDF.",
+                                   "{0} office files cannot be felt. Bring them as PDFs.",
+                                   rest.office_files));
+    }
     const auto say = [&](const char* english) { add(text, language.text("stick", english)); };
     if (rest.has_deeper)
         say("Folders within eight others were left out. Put their files nearer to the top.");
@@ -140,14 +145,14 @@ std::string words_of(const StickRest& rest, std::size_t listed, const Language& 
                       "stick", "The list has {0} files of {1}. For others, bring fewer at a time.",
                       {std::to_string(listed), std::to_string(listed + rest.not_listed)}));
     }
-    add_folders(text, rest, language);
+    add_remedies(text, rest, language);
     return text;
 }
 
 std::string nothing_words(const StickRest& rest, const Language& language) {
     std::string text = language.text(
         "stick", "There is no picture or PDF on the USB stick. Put some on it and bring it again.");
-    add_folders(text, rest, language);
+    add_remedies(text, rest, language);
     return text;
 }
 

@@ -299,6 +299,26 @@ TEST(Visit, ER1_AFileThatCannotBeOpenedKeepsWhatIsFelt) {
     EXPECT_EQ(house.visit.visitor.felt->facts.title, title);
 }
 
+TEST(Visit, AFileThatCannotBeOpenedIsToldByItsNameAndPartsOfAPictureWithoutOne) {
+    FakeHouse house;
+    to_choose(house);
+    house.apply(StickCame{{"boat.png", "my_letter.png"}, {}});
+    ASSERT_TRUE(house.choose("Your USB stick"));
+    ASSERT_TRUE(house.choose("my letter"));
+    house.apply(PictureFailed{house.visit.site.request, "The file is damaged. Choose another."});
+    EXPECT_TRUE(house.last_said().starts_with(
+        "Something is wrong. my letter cannot be opened. The file is damaged. Choose another."))
+        << house.last_said();
+    house.press(KeyRole::select);
+    ASSERT_TRUE(house.choose("boat"));
+    house.wait(0.5);
+    ASSERT_TRUE(house.choose("Enlargement"));
+    ASSERT_TRUE(house.choose("Twice as large, around your hand"));
+    house.apply(PictureFailed{house.visit.site.request, "There is no line in this part."});
+    EXPECT_TRUE(house.last_said().starts_with("Something is wrong. There is no line in this part."))
+        << house.last_said();
+}
+
 TEST(Visit, ER1_HelpDoesNotMakeATroubleForgotten) {
     FakeHouse house;
     to_choose(house);

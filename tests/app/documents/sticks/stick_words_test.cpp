@@ -16,6 +16,10 @@ TEST(StickWords, SayWhatIsNotInTheList) {
               "Folders within eight others were left out. Put their files nearer to the top. Some "
               "folders could not be read. Copy their files to another USB stick. There was no time "
               "for all folders. Put other files outside of all folders.");
+    EXPECT_EQ(words_of(StickRest{0, false, false, false, 1}, 17, english),
+              "1 office file cannot be felt. Bring it as a PDF.");
+    EXPECT_TRUE(nothing_words(StickRest{0, false, false, false, 2}, english)
+                    .ends_with(" 2 office files cannot be felt. Bring them as PDFs."));
     EXPECT_EQ(nothing_words(StickRest{}, english),
               "There is no picture or PDF on the USB stick. Put some on it and bring it again.");
 }
@@ -30,7 +34,8 @@ TEST(StickWords, AreOfTheVisitorsLanguage) {
         ASSERT_TRUE(language.has_value());
         for (const StickRest& rest :
              {StickRest{1, false, false, false}, StickRest{0, true, false, false},
-              StickRest{0, false, true, false}, StickRest{0, false, false, true}}) {
+              StickRest{0, false, true, false}, StickRest{0, false, false, true},
+              StickRest{0, false, false, false, 2}}) {
             said.insert(words_of(rest, 5, *language));
             said.insert(nothing_words(rest, *language));
             count += 2;
