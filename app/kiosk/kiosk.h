@@ -181,6 +181,9 @@ class Kiosk : private Pinned {
     void run_test(TestStep step);
     [[nodiscard]] bool passes(TestStep step);
     [[nodiscard]] std::vector<std::string> live_words() const;
+    [[nodiscard]] std::string staffs_words() const;
+    [[nodiscard]] bool is_handle_live() const;
+    [[nodiscard]] KioskHealth health() const;
     [[nodiscard]] FeltBounds felt_bounds() const;
 
     std::vector<Language> languages_;
@@ -199,7 +202,9 @@ class Kiosk : private Pinned {
     VisitLength length_;
     Watched watched_;
     MissingParts missing_;
-    LiveFacts device_facts_;  // of them, what the hand is
+    HandleReady ready_;
+    std::optional<double> started_s_;  // the time of the first step
+    LiveFacts device_facts_;           // of them, what the hand is
     std::shared_ptr<std::atomic<WrittenLanguage>> reading_language_;
     Visit visit_;
     std::optional<Sign> sign_;

@@ -13,11 +13,13 @@ struct Kiosk::OperatorOrderHandler {
     Kiosk& kiosk;
 
     void operator()(const Say& say) const {
-        kiosk.operator_caption_ = say.is_shown ? say.text : std::string();
+        kiosk.operator_caption_ = say.text;
         kiosk.sound_->say({kiosk.language().code(), say.text, SpeechPriority::text});
     }
 
     void operator()(const Click&) const { kiosk.sound_->give(ScreenEvent::key_taken); }
+
+    void operator()(const Show& show) const { kiosk.operator_caption_ = show.text; }
 
     void operator()(const SetSettings&) const { kiosk.set(kiosk.operator_->settings()); }
 
@@ -107,9 +109,11 @@ void Kiosk::follow_hours() {
 void Kiosk::follow_operator() {
     if (!operator_) return;
     handle_.follow_motor_test();
-    operator_->see({sound_->output().kind == OutputKind::headset, live_words(),
+    ready_.step(!handle_.servo().device_words().empty(), now_s_);
+    operator_->see({sound_->are_headphones_in().value_or(false), live_words(),
                     handle_.servo().kind(), felt_bounds(),
-                    told_of_device(handle_.servo().device_words(), language(), ToldTo::staff)});
+                    told_of_device(handle_.servo().device_words(), language(), ToldTo::staff),
+                    health()});
     if (sticks_) operator_->put_stick(sticks_->root());
     if (const auto line = operator_->poll_stick(language())) tell_operator(OrderAnswered{*line});
     tell_operator(MomentPassed{});
@@ -120,9 +124,38 @@ void Kiosk::follow_operator() {
 void Kiosk::run_test(TestStep step) {
     if (step == TestStep::keys) return;  // the screens count them
     const bool has_passed = passes(step);
-    const std::string line =
-        step == TestStep::device ? describe(live_facts(), hand(), force(), language()).message : "";
-    tell_operator(TestAnswered{step, has_passed, line});
+    const bool is_of_handle = step == TestStep::device || step == TestStep::motors;
+    tell_operator(TestAnswered{step, has_passed, is_of_handle ? staffs_words() : ""});
+}
+
+/// What is wrong with the handle or under way there; empty: nothing.
+std::string Kiosk::staffs_words() const {
+    return describe(live_facts(), hand(), force(), language()).message;
+}
+
+bool Kiosk::is_handle_live() const {
+    return force().fault == Fault::none && hand().ticks > 0 &&
+           handle_.servo().device_words().empty();
+}
+
+KioskHealth Kiosk::health() const {
+    KioskHealth health;
+    health.handle = language().text("panel", device_facts_.hand_words, {device_facts_.hand_name});
+    if (!is_handle_live()) health.handle_trouble = staffs_words();
+    if (!is_handle_live() && health.handle_trouble.empty())
+        health.handle_trouble = language().text("trouble", std::string(staffs_device_trouble));
+    health.has_motors = handle_.servo().kind().has_value();
+    if (const auto ready_s = ready_.since_s()) health.homed_ago_s = now_s_ - *ready_s;
+    health.has_sound = sound_->problem().empty();
+    health.is_on_headphones = sound_->output().kind == OutputKind::headset;
+    if (photos_)
+        health.camera = watched_.is_in_trouble(TroubleKind::camera) ? CameraHealth::stopped
+                        : watched_.has_camera()                     ? CameraHealth::ready
+                                                                    : CameraHealth::unplugged;
+    health.notices_sticks = !sticks_ || sticks_->is_watching();
+    health.has_stick = sticks_ && !sticks_->root().empty();
+    health.started_ago_s = now_s_ - started_s_.value_or(now_s_);
+    return health;
 }
 
 bool Kiosk::passes(TestStep step) {
@@ -136,6 +169,7 @@ bool Kiosk::passes(TestStep step) {
         case TestStep::disk:
             return operator_->can_write();
         case TestStep::motors:  // a person tells whether it was felt
+            if (!is_handle_live()) return false;
             handle_.begin_motor_test();
             break;
         case TestStep::sound_left:

@@ -46,6 +46,17 @@ struct Brought {
     std::string name;  // for the screen
 };
 
+NetworkHealth network_health() {
+    NetworkHealth health;
+    health.known = networks().size();
+    for (const Network& network : networks()) {
+        const bool is_there = is_installed(network);
+        health.installed += is_there ? 1 : 0;
+        health.lacks_shipped = health.lacks_shipped || (network.ships && !is_there);
+    }
+    return health;
+}
+
 Outcome import_pictures(std::span<const std::byte> bytes, const std::string& name,
                         const fs::path& library, const Language& language) {
     auto pack = read_pack(bytes);
@@ -240,11 +251,14 @@ bool OperatorSession::read_again() {
 }
 
 OperatorWorld OperatorSession::world(const Language& language, double now_s) const {
-    const auto& [is_private, live, kind, bounds, device_words] = facts_;
-    OperatorWorld world{language,       now_s, has_pin(),  is_private, site_,
-                        sound_,         keys_, languages_, {},         counters_,
-                        stick_.names(), live,  kind,       bounds,     device_words};
+    const auto& [is_private, live, kind, bounds, device_words, health] = facts_;
+    OperatorWorld world{language, now_s,      has_pin(),    is_private, site_,          sound_,
+                        keys_,    languages_, {},           counters_,  stick_.names(), live,
+                        kind,     bounds,     device_words, health};
     for (const Profile& profile : profiles_) world.profiles.push_back({profile.name, profile.rows});
+    world.health.can_keep = can_keep_;
+    world.health.version = TOUCHLINE_VERSION;
+    if (is_inside()) world.health.networks = network_health();
     return world;
 }
 

@@ -45,6 +45,8 @@ struct KioskFacts {
     std::optional<std::string> kind;
     FeltBounds bounds;
     std::string device_words;
+    KioskHealth
+        health;  // of the handle, sound, camera, sticks and time; the session knows the rest
 };
 
 /// The result of an order.

@@ -82,11 +82,31 @@ class Watched {
 
     [[nodiscard]] bool has_camera() const { return has_camera_; }
 
+    [[nodiscard]] bool is_in_trouble(TroubleKind kind) const {
+        return !troubles_[static_cast<std::size_t>(kind)].empty();
+    }
+
   private:
     std::optional<bool> are_headphones_in_;
     bool has_camera_ = false;
     bool is_listing_ = false;
     std::array<std::string, trouble_count> troubles_;  // as they were told
+};
+
+/// When the handle last became ready, with its starting point found.
+class HandleReady {
+  public:
+    /// `is_waiting`: somebody has to do something for it first.
+    void step(bool is_waiting, double now_s) {
+        if (std::exchange(is_waiting_, is_waiting) && !is_waiting) since_s_ = now_s;
+    }
+
+    /// Nothing: not since the kiosk was started.
+    [[nodiscard]] std::optional<double> since_s() const { return since_s_; }
+
+  private:
+    bool is_waiting_ = false;
+    std::optional<double> since_s_;
 };
 
 /// What the site's hours say now.

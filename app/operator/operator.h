@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/operator/counters.h"
+#include "app/operator/health.h"
 #include "app/operator/pin.h"
 #include "app/operator/self_test.h"
 #include "app/operator/setting_words.h"
@@ -26,6 +27,7 @@ enum class OperatorPlace : std::uint8_t {
     new_pin,
     new_pin_again,
     home,
+    status,
     touch,
     feel,
     levels,
@@ -63,11 +65,16 @@ enum class OperatorPlace : std::uint8_t {
     question,
 };
 
-inline constexpr std::size_t operator_place_count = 40;
+inline constexpr std::size_t operator_place_count = 41;
 
 /// The screens that need the PIN.
 [[nodiscard]] constexpr bool is_inside(OperatorPlace place) {
     return place > OperatorPlace::new_pin_again;
+}
+
+/// The screens on which a PIN is entered.
+[[nodiscard]] constexpr bool is_of_pin(OperatorPlace place) {
+    return place != OperatorPlace::closed && !is_inside(place);
 }
 
 /// The questions asked before something is done.
@@ -98,6 +105,7 @@ struct Operator {
     SoundSettings sound;
     KeyWizard wizard;
     SelfTest test;
+    OperatorPlace tested_from = OperatorPlace::self_test;  // where the test leads back to
     Question question = Question::ceiling;
     std::size_t kind = 0;       // index of kind_rows(), for the question
     double lock_until_s = 0.0;  // the end of the cleaning lock
@@ -120,7 +128,7 @@ struct OperatorWorld {
     const Language& language;
     double now_s = 0.0;  // never goes back
     bool has_pin = false;
-    bool is_private = true;  // only the headset's wearer hears; else no digit is said
+    bool is_private = true;  // headphones are known to be in; else no digit is said
     Settings settings{};     // those of the site's file
     SoundSettings sound{};
     KeyTable keys{};
@@ -134,6 +142,7 @@ struct OperatorWorld {
     std::optional<std::string> kind{};
     FeltBounds bounds{};
     std::string device_words{};  // for the person at the handle; empty: nothing to do
+    KioskHealth health{};
 };
 
 /// A press that counts. `role`: its role in the table of keys. `is_allowed`: it came from the
@@ -166,12 +175,15 @@ struct OrderAnswered {
 using OperatorEvent =
     std::variant<KeyStruck, MomentPassed, PinChecked, TestAnswered, OrderAnswered>;
 
-struct Say {
+struct Say {  // shown as well
     std::string text;
-    bool is_shown = true;  // false: a digit, which nobody behind may read
 };
 
 struct Click {};  // a digit was turned to or accepted, and must not be said
+
+struct Show {  // not said: replaces the shown words of what was said last
+    std::string text;
+};
 
 struct CheckPin {
     std::string pin;
@@ -237,7 +249,7 @@ struct CloseKiosk {};
 
 struct Leave {};  // gives the kiosk back to the visitors
 
-using OperatorOrder = std::variant<Say, Click, CheckPin, KeepPin, SetSettings, WriteSettings,
+using OperatorOrder = std::variant<Say, Click, Show, CheckPin, KeepPin, SetSettings, WriteSettings,
                                    WriteSound, WriteKeys, FindHome, ChooseKind, ClearFault, RunTest,
                                    StopTest, ShowLive, LockHandle, ImportFromStick, ZeroCounters,
                                    ExportLog, SaveRecording, BackUp, Restore, CloseKiosk, Leave>;

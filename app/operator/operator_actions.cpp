@@ -33,12 +33,7 @@ void clear_fault(OperatorTurn& turn) {
 }
 
 void run_all_tests(OperatorTurn& turn) {
-    const SelfTestStep begun = begin_test(turn.state().test, TestStep::device, true,
-                                          turn.world.now_s, turn.world.language);
-    turn.state().test = begun.test;
-    turn.state().place = OperatorPlace::test_step;
-    turn.say(begun.said);
-    if (begun.run) turn.order(RunTest{*begun.run});
+    begin_tests(turn, TestStep::device, true);
 }
 
 void begin_cleaning(OperatorTurn& turn) {

@@ -152,16 +152,27 @@ struct List {
                 world.language.text("kind", std::string(rows[i].hint)));
     }
 
-    void add_tests() {
+    void add_test(TestStep step) {
         constexpr std::array verdicts{"not tested yet", "passed", "failed"};
-        for (std::size_t i = 0; i < test_step_count; ++i) {
-            const TestStepRow& row = row_of(static_cast<TestStep>(i));
-            add(OperatorItem::test, i, ItemRole::choice,
-                world.language.text("test", std::string(row.name)),
-                world.language.text("test",
-                                    verdicts[static_cast<std::size_t>(state.test.verdicts[i])]),
-                world.language.text("test", std::string(row.does)));
-        }
+        const auto index = static_cast<std::size_t>(step);
+        const auto verdict = static_cast<std::size_t>(state.test.verdicts[index]);
+        const TestStepRow& row = row_of(step);
+        add(OperatorItem::test, index, ItemRole::choice,
+            world.language.text("test", std::string(row.name)),
+            world.language.text("test", verdicts[verdict]),
+            world.language.text("test", std::string(row.does)));
+    }
+
+    void add_tests() {
+        for (std::size_t i = 0; i < test_step_count; ++i) add_test(static_cast<TestStep>(i));
+    }
+
+    void add_status() {
+        const auto lines = health_lines(world.health, world.language);
+        for (std::size_t i = 0; i < lines.size(); ++i)
+            add(OperatorItem::fact, i, ItemRole::text, lines[i].name, lines[i].value);
+        for (const TestStep step : {TestStep::sound_left, TestStep::sound_right, TestStep::motors})
+            add_test(step);
     }
 
     void add_counters() {
@@ -197,6 +208,8 @@ struct List {
             case OperatorPlace::new_pin:
             case OperatorPlace::new_pin_again:
                 return add_pin();
+            case OperatorPlace::status:
+                return add_status();
             case OperatorPlace::volume:
                 return add_volumes();
             case OperatorPlace::profiles:
@@ -229,6 +242,13 @@ std::string own_text(const Operator& state, const OperatorWorld& world) {
         text = words(
             "Put in a USB stick with packs of pictures. A network file for Touchline can be on it "
             "too.");
+    if (state.place == OperatorPlace::status) {
+        const bool is_well =
+            health_lines(world.health, world.language).front().urgency != Urgency::trouble;
+        text = words(is_well ? "Everything works." : "Something does not work.") + ' ' + text;
+    }
+    if (is_of_pin(state.place) && !world.is_private)
+        add_sentence(text, words("Each press clicks. Plug in headphones to hear the digits."));
     return text;
 }
 

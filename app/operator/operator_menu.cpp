@@ -17,6 +17,7 @@ constexpr auto places = std::to_array<PlaceRow>({
     {P::new_pin, P::closed, "Choose a PIN of 4 to 8 digits", how_to_enter, "", false},
     {P::new_pin_again, P::new_pin, "Enter the same PIN once more", how_to_enter, "", false},
     {P::home, P::closed, "Operator", "", "", false},
+    {P::status, P::home, "State of the kiosk", "Press Back for the menu.", ""},
     {P::touch, P::home, "How it feels", "", ""},
     {P::feel, P::touch, "Lines and force", "", "feel"},
     {P::levels, P::touch, "Levels", "A level is how finely lines are followed.", "levels"},

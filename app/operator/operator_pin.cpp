@@ -5,12 +5,20 @@
 namespace touchline {
 namespace {
 
+/// The digit that is turned to, after a dot for each accepted one: "• • 3".
+std::string shown_pin(const PinEntry& pin) {
+    std::string text;
+    for (std::size_t i = 0; i < pin.taken.size(); ++i) text += "• ";
+    return pin.digit ? text + std::to_string(*pin.digit) : text;
+}
+
 /// Speaks only if nobody else hears it; else gives one click (accessibility, EN 301 549 5.1.3.8).
 void tell(OperatorTurn& turn, const std::string& text) {
     if (turn.world.is_private)
-        turn.order(Say{text, false});
+        turn.say(text);
     else
         turn.order(Click{});
+    turn.order(Show{shown_pin(turn.state().pin)});
 }
 
 std::string count_in_words(const OperatorTurn& turn, std::size_t count) {
@@ -37,7 +45,7 @@ void compare_pins(OperatorTurn& turn) {
                        turn.words("The two were not the same. Choose again."));
     state.tries = {};
     turn.order(KeepPin{chosen});
-    turn.go(OperatorPlace::home, turn.words("The PIN is saved."));
+    turn.go(OperatorPlace::status, turn.words("The PIN is saved."));
 }
 
 void finish_pin(OperatorTurn& turn) {
@@ -99,7 +107,7 @@ void judge_pin(OperatorTurn& turn, const PinChecked& checked) {
     state.is_checking = false;
     if (checked.is_right) {
         state.tries = {};
-        if (state.place == OperatorPlace::pin) turn.go(OperatorPlace::home);
+        if (state.place == OperatorPlace::pin) turn.go(OperatorPlace::status);
         return;
     }
     state.tries = after_wrong_pin(state.tries, turn.world.now_s, checked.is_noted);

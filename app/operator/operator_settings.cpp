@@ -169,6 +169,10 @@ Settings turned_settings(const Settings& settings, const ItemMeaning& meaning, b
     return with_hours_turned(settings, meaning, is_up);
 }
 
+void say_end(OperatorTurn& turn) {
+    turn.say(turn.words("It goes no further."));
+}
+
 }  // namespace
 
 bool select_value(OperatorTurn& turn, const ItemMeaning& meaning) {
@@ -191,18 +195,16 @@ void turn_value(OperatorTurn& turn, const ItemMeaning& meaning, bool is_up) {
         const SoundSettings sound = with_sound_turned(state.sound, meaning, is_up);
         const bool is_same = sound == state.sound;
         state.sound = sound;
-        if (is_same) turn.say(turn.words("It goes no further."));
-        return turn.say_item();
+        return is_same ? say_end(turn) : turn.say_item();
     }
     const Settings settings = turned_settings(state.settings, meaning, is_up);
     if (!conflicts(settings).empty())
         return turn.say(turn.words("That does not go together with another setting."));
-    const bool is_same = settings == state.settings;
+    if (settings == state.settings) return say_end(turn);
     state.settings = settings;
-    if (is_same) turn.say(turn.words("It goes no further."));
     const bool waits_for_yes =
         is_ceiling(meaning) && settings.force_ceiling_N > turn.world.settings.force_ceiling_N;
-    if (!is_same && !waits_for_yes) turn.order(SetSettings{settings});
+    if (!waits_for_yes) turn.order(SetSettings{settings});
     turn.say_item();
 }
 

@@ -13,11 +13,6 @@ constexpr double entry_s = 5.0;
 constexpr double idle_s = 300.0;
 constexpr std::size_t most_keys_a_role = 8;
 
-bool is_of_pin(OperatorPlace place) {
-    return place == OperatorPlace::pin || place == OperatorPlace::new_pin ||
-           place == OperatorPlace::new_pin_again;
-}
-
 void open(OperatorTurn& turn) {
     turn.state().settings = turn.world.settings;
     turn.state().sound = turn.world.sound;
@@ -59,22 +54,6 @@ void follow_wizard(OperatorTurn& turn, const WizardStep& step) {
     turn.go(OperatorPlace::keys, step.said);
 }
 
-void follow_test(OperatorTurn& turn, const SelfTestStep& step) {
-    turn.state().test = step.test;
-    if (step.stop) turn.order(StopTest{});
-    if (step.test.phase == TestPhase::idle)
-        turn.go(OperatorPlace::self_test, step.said);
-    else
-        turn.say(step.said);
-    if (step.run) turn.order(RunTest{*step.run});
-}
-
-void begin_one_test(OperatorTurn& turn, std::size_t index) {
-    turn.state().place = OperatorPlace::test_step;
-    follow_test(turn, begin_test(turn.state().test, static_cast<TestStep>(index), false,
-                                 turn.world.now_s, turn.world.language));
-}
-
 void select(OperatorTurn& turn, const ScreenItem& item) {
     const ItemMeaning meaning = meaning_of(item);
     switch (meaning.item) {
@@ -83,7 +62,7 @@ void select(OperatorTurn& turn, const ScreenItem& item) {
         case OperatorItem::action:
             return do_action(turn, meaning.index);
         case OperatorItem::test:
-            return begin_one_test(turn, meaning.index);
+            return begin_tests(turn, static_cast<TestStep>(meaning.index), false);
         case OperatorItem::on_stick:
             return turn.order(ImportFromStick{meaning.index});
         case OperatorItem::kind:
@@ -240,6 +219,23 @@ void take(OperatorTurn& turn, const OrderAnswered& answer) {
 }
 
 }  // namespace
+
+void follow_test(OperatorTurn& turn, const SelfTestStep& step) {
+    turn.state().test = step.test;
+    if (step.stop) turn.order(StopTest{});
+    if (step.test.phase == TestPhase::idle)
+        turn.go(turn.state().tested_from, step.said);
+    else
+        turn.say(step.said);
+    if (step.run) turn.order(RunTest{*step.run});
+}
+
+void begin_tests(OperatorTurn& turn, TestStep first, bool is_all) {
+    turn.state().tested_from = turn.state().place;
+    turn.state().place = OperatorPlace::test_step;
+    follow_test(
+        turn, begin_test(turn.state().test, first, is_all, turn.world.now_s, turn.world.language));
+}
 
 OperatorStep step_operator(const Operator& state, const OperatorEvent& event,
                            const OperatorWorld& world) {

@@ -90,6 +90,12 @@ void press_pin_key(OperatorTurn& turn, KeyRole role);
 
 void judge_pin(OperatorTurn& turn, const PinChecked& checked);
 
+/// operator_step.cpp
+void follow_test(OperatorTurn& turn, const SelfTestStep& step);
+
+/// Begins with this step; `is_all`: the others follow. The tests lead back to the open screen.
+void begin_tests(OperatorTurn& turn, TestStep first, bool is_all);
+
 /// operator_actions.cpp
 void do_action(OperatorTurn& turn, std::size_t action);
 

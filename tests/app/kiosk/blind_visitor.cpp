@@ -96,10 +96,19 @@ void enter_pin(BlindVisitor& staff) {
     staff.press(KeyRole::select);
 }
 
-void hold_setting(BlindVisitor& staff, std::initializer_list<const char*> names) {
+void open_status(BlindVisitor& staff) {
     enter(staff);
     enter_pin(staff);
     enter_pin(staff);
+}
+
+void open_menu(BlindVisitor& staff) {
+    open_status(staff);
+    staff.press(KeyRole::back);
+}
+
+void hold_setting(BlindVisitor& staff, std::initializer_list<const char*> names) {
+    open_menu(staff);
     for (const char* name : names) ASSERT_TRUE(staff.choose(name)) << staff.heard();
 }
 

@@ -51,7 +51,13 @@ void enter(BlindVisitor& staff);
 /// Enters the digits 1, 2, 3, 4.
 void enter_pin(BlindVisitor& staff);
 
-/// Calls enter(), sets a new PIN, goes down to a setting by these names, and holds it.
+/// Calls enter() and sets a new PIN, which opens the operator's first screen.
+void open_status(BlindVisitor& staff);
+
+/// Calls open_status() and goes back to the menu.
+void open_menu(BlindVisitor& staff);
+
+/// Calls open_menu(), goes down to a setting by these names, and holds it.
 void hold_setting(BlindVisitor& staff, std::initializer_list<const char*> names);
 
 /// Turns the held setting down to its least value.

@@ -25,6 +25,7 @@ TEST(OperatorRun, FromAFreshInstallToPinStiffnessLevelsAndACopy) {
     ASSERT_TRUE(world.kiosk().is_operator_in()) << staff.heard();
     enter_pin(staff);  // a new PIN, twice
     enter_pin(staff);
+    staff.press(KeyRole::back);
     EXPECT_TRUE(fs::exists(world.site_files().pin));
     EXPECT_EQ(text_of(world.site_files().pin).find("1234"), std::string::npos);
 
@@ -57,9 +58,7 @@ TEST(OperatorRun, SixKeysClearAnEmergencyStop) {
     ASSERT_TRUE(world.servo().commands().is_emergency_stop);
     const std::uint32_t cleared = world.servo().commands().faults_cleared;
     BlindVisitor staff(world, 0.2);
-    enter(staff);
-    enter_pin(staff);
-    enter_pin(staff);
+    open_menu(staff);
     ASSERT_TRUE(staff.choose("Handle and tests")) << staff.heard();
     EXPECT_TRUE(world.servo().commands().is_emergency_stop) << "not before it is chosen";
     ASSERT_TRUE(staff.choose("Reset the force fault")) << staff.heard();
@@ -71,9 +70,7 @@ TEST(OperatorRun, TheSelfTestUsesHandleSoundAndDisk) {
     KioskWorld world;
     const std::uint32_t patterns = world.servo().commands().pattern.serial;
     BlindVisitor staff(world, 0.2);
-    enter(staff);
-    enter_pin(staff);
-    enter_pin(staff);
+    open_menu(staff);
     ASSERT_TRUE(staff.choose("Handle and tests")) << staff.heard();
     ASSERT_TRUE(staff.choose("Self-test")) << staff.heard();
     ASSERT_TRUE(staff.choose("All steps")) << staff.heard();
@@ -89,17 +86,11 @@ TEST(OperatorRun, TheSelfTestUsesHandleSoundAndDisk) {
     EXPECT_LE(world.servo().most_force_N, 1.2);
 }
 
-void give_pin(BlindVisitor& staff) {
-    enter(staff);
-    enter_pin(staff);
-    enter_pin(staff);
-}
-
 TEST(OperatorRun, AKindThatIsChosenReachesTheServoAndItsWordsTheOperator) {
     KioskWorld world;
     world.servo().own_kind = "mk2";
     BlindVisitor staff(world, 0.2);
-    give_pin(staff);
+    open_menu(staff);
     ASSERT_TRUE(staff.choose("Handle and tests")) << staff.heard();
     ASSERT_TRUE(staff.choose("Kind of handle")) << staff.heard();
     ASSERT_TRUE(staff.choose("Haplet")) << staff.heard();
@@ -121,7 +112,7 @@ TEST(OperatorRun, AWrongPlugIsToldOnThePagesOfTheHandle) {
     world.servo().words = "There is no force. Turn its plug round.";
     world.run(0.2);
     BlindVisitor staff(world, 0.2);
-    give_pin(staff);
+    open_menu(staff);
     ASSERT_TRUE(staff.choose("Handle and tests")) << staff.heard();
     ASSERT_TRUE(staff.choose("Find the handle’s starting point")) << staff.heard();
     EXPECT_NE(staff.heard().find(world.servo().words), std::string::npos) << staff.heard();
@@ -136,7 +127,7 @@ TEST(OperatorRun, TheStaffAreToldWhatToDoAboutADeadHandle) {
     world.servo().words = "homing ended: the board was unplugged or gave up; plug it in";
     world.run(0.2);
     BlindVisitor staff(world, 0.2);
-    give_pin(staff);
+    open_menu(staff);
     const std::string told = "The handle is unplugged. Plug its cable in again.";
     ASSERT_TRUE(staff.choose("Handle and tests")) << staff.heard();
     ASSERT_TRUE(staff.choose("Find the handle’s starting point")) << staff.heard();
@@ -145,6 +136,68 @@ TEST(OperatorRun, TheStaffAreToldWhatToDoAboutADeadHandle) {
     ASSERT_TRUE(staff.choose("What the handle is doing now")) << staff.heard();
     EXPECT_NE(staff.heard().find(told), std::string::npos) << staff.heard();
     EXPECT_EQ(world.kiosk().live_facts().message, told);
+}
+
+/// Worst first: by the first words the operator knows what to do.
+TEST(OperatorRun, TheFirstScreenIsTheStateOfTheKiosk) {
+    KioskWorld world;
+    fs::create_directories(world.folder() / "stick");  // else sticks come unnoticed
+    world.servo().own_kind = "mk2";
+    world.servo().words = "Lead the handle to the right stop.";
+    world.run(3.0);
+    BlindVisitor staff(world, 0.2);
+    open_status(staff);
+    EXPECT_NE(staff.heard().find("State of the kiosk. Something does not work. Press Back for the "
+                                 "menu. Lead the handle to the right stop"),
+              std::string::npos)
+        << staff.heard();
+    world.servo().words.clear();
+    world.run(121.0);
+    staff.press(KeyRole::help);
+    EXPECT_NE(staff.heard().find("State of the kiosk. Everything works."), std::string::npos)
+        << staff.heard();
+    EXPECT_TRUE(staff.find("Starting point found, 2 minutes ago")) << staff.heard();
+    EXPECT_TRUE(staff.find("Faults today, 0")) << staff.heard();
+    world.heard().problem = "There is no sound. Please call the staff.";
+    world.run(0.2);
+    staff.press(KeyRole::help);
+    EXPECT_NE(staff.heard().find("Something does not work."), std::string::npos);
+    EXPECT_EQ(world.kiosk().screen().items.front().name,
+              "There is no sound. Check the cable of the speaker");
+}
+
+/// The motors move for an operator who chose to, and only while nothing else holds the force back.
+TEST(OperatorRun, TheMotorsAreTestedFromTheFirstScreenWhileTheHandleIsLive) {
+    KioskWorld world;
+    world.servo().own_kind = "mk2";
+    BlindVisitor staff(world, 0.2);
+    open_status(staff);
+    const std::uint32_t patterns = world.servo().commands().pattern.serial;
+    world.servo().words = "There is no force. Turn its plug round.";
+    world.run(0.2);
+    ASSERT_TRUE(staff.choose("Motors")) << staff.heard();
+    staff.press(KeyRole::select);
+    EXPECT_NE(staff.heard().find("Motors failed. There is no force. Turn its plug round."),
+              std::string::npos)
+        << staff.heard();
+    world.run(3.0);
+    EXPECT_EQ(world.servo().commands().pattern.serial, patterns);
+    EXPECT_EQ(world.servo().most_force_N, 0.0);
+    world.servo().words.clear();
+    world.run(0.2);
+    ASSERT_TRUE(staff.choose("Motors, failed")) << staff.heard();
+    world.run(3.0);
+    EXPECT_EQ(world.servo().commands().pattern.serial, patterns) << "not before it is confirmed";
+    staff.press(KeyRole::select);
+    world.run(3.0);
+    EXPECT_GT(world.servo().commands().pattern.serial, patterns);
+    EXPECT_GT(world.servo().most_force_N, 0.1);
+    EXPECT_LE(world.servo().most_force_N, 1.2);
+    staff.press(KeyRole::select);
+    EXPECT_NE(staff.heard().find("State of the kiosk."), std::string::npos) << staff.heard();
+    ASSERT_TRUE(staff.choose("Sound on the left")) << staff.heard();
+    staff.press(KeyRole::select);
+    EXPECT_TRUE(world.heard().was_said("left\n"));
 }
 
 /// The emergency stop acts whoever uses the kiosk.
@@ -171,9 +224,7 @@ void strike_r(KioskWorld& world) {
 /// The operator has chosen a PIN and left.
 void choose_pin(KioskWorld& world) {
     BlindVisitor staff(world, 0.2);
-    enter(staff);
-    enter_pin(staff);
-    enter_pin(staff);
+    open_menu(staff);
     ASSERT_TRUE(staff.choose("Leave")) << staff.heard();
     ASSERT_FALSE(world.kiosk().is_operator_in());
 }
@@ -242,6 +293,7 @@ TEST(OperatorRun, AKeyThatIsLearnedIsNoOrder) {
     BlindVisitor staff(world, 0.2);
     enter(staff);
     enter_pin(staff);
+    staff.press(KeyRole::back);
     ASSERT_TRUE(staff.choose("Camera, keys and screen")) << staff.heard();
     ASSERT_TRUE(staff.choose("Keys")) << staff.heard();
     ASSERT_TRUE(staff.choose("Assign the keys")) << staff.heard();
@@ -276,6 +328,7 @@ TEST(OperatorRun, OnlyWhoGaveThePinSavesARecording) {
     enter_pin(staff);
     strike_r(world);
     EXPECT_EQ(world.servo().recordings_kept, 1);
+    staff.press(KeyRole::back);
     ASSERT_TRUE(staff.choose("Upkeep")) << staff.heard();
     ASSERT_TRUE(staff.choose("Log and recording")) << staff.heard();
     ASSERT_TRUE(staff.choose("Save what was felt in the last minute")) << staff.heard();
@@ -313,13 +366,21 @@ TEST(OperatorRun, AKeyboardThatIsNotTheOperatorsSavesNoRecording) {
     EXPECT_EQ(world.servo().recordings_kept, 1);
 }
 
-TEST(OperatorRun, APinIsOnNoScreen) {
-    KioskWorld world;
-    BlindVisitor staff(world, 0.2);
-    enter(staff);
-    staff.press(KeyRole::up);
-    EXPECT_EQ(staff.heard(), "1\n");
-    EXPECT_EQ(world.kiosk().caption(), "");
+/// Nothing tells whether the headset is a headset, so only headphones that were noticed count.
+TEST(OperatorRun, APinIsShownAndSpokenOnlyInHeadphonesThatWereNoticed) {
+    for (const std::optional<bool> headphones :
+         {std::optional<bool>(), std::optional(false), std::optional(true)}) {
+        KioskWorld world;
+        world.heard().headphones = headphones;
+        world.run(0.2);
+        BlindVisitor staff(world, 0.2);
+        enter(staff);
+        staff.press(KeyRole::up);
+        EXPECT_EQ(staff.heard(), headphones == true ? "1\n" : "");
+        EXPECT_EQ(world.kiosk().caption(), "1");
+        staff.press(KeyRole::select);
+        EXPECT_EQ(world.kiosk().caption(), "• ");
+    }
 }
 
 /// The running visit neither asks nor shakes, and the operator's hand starts none.

@@ -46,6 +46,8 @@ TEST(OperatorPin, IsChosenAtTheFirstStartAndAskedForAfterIt) {
     EXPECT_EQ(rig.state.place, P::new_pin) << "they were not the same";
     rig.enter_pin("4711");
     rig.enter_pin("4711");
+    EXPECT_EQ(rig.state.place, P::status);
+    rig.press(R::back);
     EXPECT_EQ(rig.state.place, P::home);
     rig.press(R::back);
     EXPECT_EQ(rig.state.place, P::closed);
@@ -55,21 +57,41 @@ TEST(OperatorPin, IsChosenAtTheFirstStartAndAskedForAfterIt) {
     rig.enter_pin("4712");
     EXPECT_EQ(rig.state.place, P::pin);
     rig.enter_pin("4711");
-    EXPECT_EQ(rig.state.place, P::home);
+    EXPECT_EQ(rig.state.place, P::status);
 }
 
-TEST(OperatorPin, IsSaidOnAHeadsetAndClickedOnASpeaker) {
+TEST(OperatorPin, IsSaidInHeadphonesAndClickedWithoutThem) {
     OperatorRig rig;
     rig.enter();
-    (void)rig.heard();
+    EXPECT_EQ(rig.heard().find("Plug in headphones"), std::string::npos);
     rig.press({R::up, R::up, R::up, R::select});
     EXPECT_EQ(rig.heard(), "1\n2\n3\n1 digit\n");
     rig.is_private = false;
     rig.press({R::down, R::select, R::back});
     EXPECT_EQ(rig.heard(), "");
     EXPECT_EQ(rig.count<Click>(), 3);
-    for (const ScreenItem& item : rig.screen().items)
-        EXPECT_EQ(item.value.find('3'), std::string::npos) << "nor is it on the screen";
+    rig.press({R::up, R::up, R::up, R::help});
+    const std::string heard = rig.heard();
+    EXPECT_NE(heard.find("Plug in headphones to hear the digits."), std::string::npos) << heard;
+    EXPECT_NE(heard.find("Entered so far, 0 digits"), std::string::npos) << heard;
+}
+
+TEST(OperatorPin, ADigitIsShownWhileItTurnsAndADotOnceItIsAccepted) {
+    for (const bool is_private : {false, true}) {
+        OperatorRig rig;
+        rig.is_private = is_private;
+        rig.enter();
+        rig.press({R::up, R::up});
+        EXPECT_EQ(rig.shown, "2");
+        rig.press(R::select);
+        EXPECT_EQ(rig.shown, "• ");
+        rig.press(R::down);
+        EXPECT_EQ(rig.shown, "• 0");
+        rig.press(R::back);
+        EXPECT_EQ(rig.shown, "• ");
+        rig.press(R::back);
+        EXPECT_EQ(rig.shown, "");
+    }
 }
 
 TEST(OperatorPin, EightDigitsAreEnoughAndANinthIsNone) {

@@ -56,7 +56,8 @@ OperatorWorld OperatorRig::world() const {
             {"Force 0.5 newtons", "Level 2"},
             kind,
             bounds,
-            device_words};
+            device_words,
+            health};
 }
 
 SpokenScreen OperatorRig::screen() const {
@@ -73,7 +74,11 @@ void OperatorRig::take(const OperatorEvent& event) {
 }
 
 void OperatorRig::carry_out(const OperatorOrder& order) {
-    if (const auto* say = std::get_if<Say>(&order)) heard_ += say->text + '\n';
+    if (const auto* say = std::get_if<Say>(&order)) {
+        heard_ += say->text + '\n';
+        shown = say->text;
+    }
+    if (const auto* show = std::get_if<Show>(&order)) shown = show->text;
     if (const auto* set = std::get_if<SetSettings>(&order)) felt = set->settings;
     if (const auto* write = std::get_if<WriteSettings>(&order)) {
         felt = write->settings;

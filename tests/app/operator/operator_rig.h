@@ -58,6 +58,7 @@ class OperatorRig : private Pinned {
     Language language;
     double now_s = 1000.0;
     bool is_private = true;
+    std::string shown;  // of what was said last, or instead of it
     bool answers_tests = true;
     bool passes_tests = true;
     bool is_device_allowed = true;
@@ -70,6 +71,7 @@ class OperatorRig : private Pinned {
     std::optional<std::string> kind = "2diy-gen3.1";
     FeltBounds bounds;
     std::string device_words;
+    KioskHealth health;
     std::filesystem::path folder;
     std::filesystem::path stick;
     SettingsFiles files;

@@ -22,6 +22,7 @@ class OperatorTest : public testing::Test {
         rig.enter();
         rig.enter_pin("1234");
         rig.enter_pin("1234");
+        rig.press(R::back);  // from the first screen to the menu
         (void)rig.heard();
     }
 
@@ -45,7 +46,7 @@ TEST_F(OperatorTest, ALockOutlastsLeavingAndTheRightPin) {
     EXPECT_NE(rig.heard().find("Too many wrong PINs. Wait 1 second."), std::string::npos);
     rig.wait(61.0);
     rig.enter_pin("1234");
-    EXPECT_EQ(rig.state.place, P::home);
+    EXPECT_EQ(rig.state.place, P::status);
     EXPECT_EQ(rig.state.tries.wrong, 0);
 }
 
@@ -218,6 +219,21 @@ TEST_F(OperatorTest, HoursAreTurnedByQuartersAndAreNeverNothing) {
     EXPECT_EQ(rig.world().settings.opening_hours, "09:00-08:45") << "never the same as from";
     ASSERT_TRUE(rig.open({"Quiet hours"}));
     EXPECT_EQ(rig.world().settings.quiet_hours, "18:00-22:00");
+}
+
+/// A value that is said again sounds like one that has changed.
+TEST_F(OperatorTest, TheEndOfAValueIsSaidAndTheValueIsNotRepeated) {
+    ASSERT_TRUE(rig.open({"How it feels", "Lines and force", "Friction"}));
+    for (int i = 0; i < 100; ++i) rig.press(R::down);
+    (void)rig.heard();
+    rig.press(R::down);
+    EXPECT_EQ(rig.heard(), "It goes no further.\n");
+    rig.press({R::select, R::back, R::back});
+    ASSERT_TRUE(rig.open({"Sound, speech and languages", "Volume", "Headphones at the start"}));
+    for (int i = 0; i < 100; ++i) rig.press(R::up);
+    (void)rig.heard();
+    rig.press(R::up);
+    EXPECT_EQ(rig.heard(), "It goes no further.\n");
 }
 
 TEST_F(OperatorTest, VolumeKeepsTheRulesOfTheOutput) {

@@ -1,6 +1,7 @@
 #include "tests/app/screen/every_screen.h"
 
 #include "app/operator/operator.h"
+#include "app/visit/told_lines.h"
 #include "app/visit/visit.h"
 #include "tests/app/visit/fake_world.h"
 #include "tests/app/visit/visit_scenes.h"
@@ -38,6 +39,13 @@ OperatorWorld busy_world(const Language& language) {
     world.counters = {1234, 567, 89, 10, 4321};
     world.on_stick = {"shapes-and-a-boat", "animals of the forest"};
     world.live = {"Contact: on a line", "Level: 2.5 of 6, by speed", "Force: 0.6 N"};
+    world.health.handle_trouble = spoken_fault(Fault::knob_lost, language);
+    world.health.has_motors = true;
+    world.health.homed_ago_s = 7200.0;
+    world.health.has_sound = false;
+    world.health.camera = CameraHealth::stopped;
+    world.health.can_keep = false;
+    world.health.version = "1.0.0";
     return world;
 }
 

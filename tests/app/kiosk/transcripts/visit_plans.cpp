@@ -205,8 +205,10 @@ void operators_visit(StagedKiosk& kiosk) {
     kiosk.listen();
     enter_pin(kiosk);
     enter_pin(kiosk);
-    kiosk.press(KeyRole::help);
-    kiosk.listen();
+    for (const KeyRole role : {KeyRole::down, KeyRole::down, KeyRole::back, KeyRole::help}) {
+        kiosk.press(role);
+        kiosk.listen();
+    }
     choose(kiosk, OperatorPlace::touch);
     choose(kiosk, OperatorPlace::feel);
     for (const KeyRole role : {KeyRole::down, KeyRole::repeat, KeyRole::select, KeyRole::up,

@@ -110,7 +110,7 @@ class Kiosk:
             time.sleep(KEY_S)
 
     def to_staff(self):
-        """The operator's screens, for the first time: a PIN is chosen."""
+        """The operator's menu, for the first time: a PIN is chosen."""
         self.to_choose()
         self.press_all(STAFF)
         self.machine.wait_screen(['PIN'])
@@ -119,6 +119,7 @@ class Kiosk:
                 self.press_all(['up'] * digit + ['ret'])
             self.press_all(['ret'])
         self.machine.wait_screen(['The PIN is saved'])
+        self.press_all(['left'])  # from the first screen to the menu
 
     def to_item(self, name):
         """Down until the caption tells of it, and which of how many it is: its frame in the list hides it from tesseract.

@@ -1,0 +1,54 @@
+// The state of the kiosk as its operator hears it: what does not work comes first.
+// Threads: values and pure functions.
+#pragma once
+
+#include "audio-cues/words/language.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace touchline {
+
+enum class CameraHealth : std::uint8_t { none, ready, unplugged, stopped };  // none: not wanted
+
+/// Installed networks, of all that are known.
+struct NetworkHealth {
+    std::size_t installed = 0;
+    std::size_t known = 0;
+    bool lacks_shipped = false;  // one that comes with Touchline is missing
+};
+
+struct KioskHealth {
+    std::string handle;          // what it is, in words of the language
+    std::string handle_trouble;  // sentences of the language; empty: it works
+    bool has_motors = false;
+    std::optional<double> homed_ago_s;  // nothing: not since the kiosk was started
+    bool has_sound = true;
+    bool is_on_headphones = false;
+    CameraHealth camera = CameraHealth::none;
+    bool notices_sticks = true;
+    bool has_stick = false;
+    NetworkHealth networks;
+    bool can_keep = true;  // settings and counts reach the disk
+    std::uint64_t faults_today = 0;
+    double started_ago_s = 0.0;
+    std::string version;
+};
+
+/// How much a line asks of the operator.
+enum class Urgency : std::uint8_t { trouble, remark, none };
+
+struct HealthLine {
+    Urgency urgency = Urgency::none;
+    std::string name;   // of a part, or whole sentences that name it and what to do
+    std::string value;  // empty after sentences
+};
+
+/// The most urgent first; else in the order of KioskHealth.
+[[nodiscard]] std::vector<HealthLine> health_lines(const KioskHealth& health,
+                                                   const Language& language);
+
+}  // namespace touchline
