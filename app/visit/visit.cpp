@@ -77,12 +77,12 @@ void take(VisitWork& work, const HeadphonesChanged& change) {
     order(work, Hush{});
     if (!change.are_in) {
         visitor.pulled_s = work.site.now_s;
-        return;
+        return say(work, language_of(work).text("speech", "The headphones are out."));
     }
     visitor.pulled_s.reset();
     visitor.sound.is_speech_on = true;
-    if (screen == VisitScreen::question) visitor.over.reset();
-    say_return(work, language_of(work).text("speech", "The headphones are in."));
+    const std::string told = language_of(work).text("speech", "The headphones are in.");
+    screen == VisitScreen::question ? uncover(work, told) : say_return(work, told);
 }
 
 void take(VisitWork& work, const CameraCaptured& captured) {
@@ -110,6 +110,7 @@ void take(VisitWork& work, const CameraChanged& change) {
     if (work.site.has_camera == change.is_there) return;
     work.site.has_camera = change.is_there;
     if (!change.is_there) take(work, CameraFailed{});
+    if (work.visitor.path.back().screen == VisitScreen::camera) work.visitor.path.back().focus = 0;
     if (open_screen(work) == VisitScreen::camera) say_screen(work);
 }
 

@@ -265,9 +265,9 @@ struct Visitor {
     std::optional<double> pulled_s;  // when the headphones were pulled out
     bool is_hint_due = false;
     std::vector<HintSaid> hints;
-    int dead_keys = 0;  // in a row
-    int repeats = 0;    // presses of Repeat in a row
-    int helps = 0;      // presses of Help in a row, in help
+    int dead_keys = 0;                // in a row
+    int repeats = 0;                  // presses of Repeat in a row
+    std::optional<KeyRole> last_key;  // none: no key yet, or one without a meaning
     Caption caption;
 };
 

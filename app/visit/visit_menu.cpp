@@ -185,7 +185,7 @@ SpokenScreen screen_of(const Visit& visit, const VisitWorld& world) {
     if (row.write != nullptr) row.write(sheet);
     add_items(sheet, open.screen);
     if (row.back_item != nullptr) add_item(sheet, VisitItem::back, row.back_item);
-    set_focus(sheet.screen, open.focus);
+    if (open.screen != VisitScreen::help) set_focus(sheet.screen, open.focus);
     mind_the_only_item(sheet);
     // A picture stays in view beneath what lies over it.
     const ScreenView beneath = row_of(visitor.path.back().screen).view;

@@ -151,6 +151,9 @@ struct VisitMenu {
 /// Enters the screen and says it.
 void show(VisitWork& work, VisitScreen screen, int about = 0, std::size_t focus = 0);
 
+/// Writes each key and its use, to be read (visit_keys.cpp).
+void write_keys(VisitSheet& sheet);
+
 [[nodiscard]] bool has_gallery(const VisitWorld& world);
 
 /// The title of what is felt, or what stands for it.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 
 namespace touchline {
@@ -86,14 +87,11 @@ void practise(VisitWork& work) {
     open_picture(work, PictureSource::practice, 0, {});
 }
 
-void call_staff(VisitWork& work) {
-    work.site.is_staff_called = !work.site.is_staff_called;
-    order(work, CallStaff{work.site.is_staff_called});
-    const std::string told = words(
-        work, work.site.is_staff_called ? "The staff have been called. You can carry on meanwhile."
-                                        : "The staff are no longer called.");
-    const bool is_trouble = open_screen(work) == VisitScreen::trouble;
-    is_trouble ? close_trouble(work, told) : say(work, told);
+void call_staff_or_not(VisitWork& work) {
+    if (!work.site.is_staff_called) return call_staff(work);
+    work.site.is_staff_called = false;
+    order(work, CallStaff{false});
+    say(work, words(work, "The staff are no longer called."));
 }
 
 // The gallery.
@@ -147,10 +145,6 @@ void write_camera(VisitSheet& sheet) {
 }
 
 void capture(VisitWork& work) {
-    if (!work.site.has_camera) {
-        refuse(work);
-        return say(work, words(work, "The camera does not answer. Tell the staff."));
-    }
     work.visitor.is_capturing = true;
     order(work, Capture{});
     enter(work, VisitScreen::opening);
@@ -232,21 +226,36 @@ void write_closed(VisitSheet& sheet) {
 // What lies over another screen.
 
 void write_help(VisitSheet& sheet) {
+    const bool offers_staff = sheet.world.rules.offers_staff;
     if (!has_keys(sheet.world)) {
         sheet.sentence("Move on to Repeat, Back or Help.");
         sheet.sentence("Press Select to hear its use.");
-        sheet.sentence("Choose Help twice to go back.");
+        sheet.sentence("Choose Back twice to leave.");
+        if (offers_staff) sheet.sentence("Choose Help again to call the staff.");
     } else {
+        sheet.sentence("There are six keys: Up, Down, Back, Repeat, Select and Help.");
         sheet.sentence("Each key says its name and its use.");
-        sheet.sentence("Press Help twice to go back.");
+        sheet.sentence("Press Back twice to leave.");
+        if (offers_staff) sheet.sentence("Press Help again to call the staff.");
+        write_keys(sheet);
     }
+}
+
+/// Counts down.
+int seconds_to_answer(const VisitSheet& sheet) {
+    const double asked_s = sheet.visit.site.now_s - sheet.visitor().question_s;
+    return static_cast<int>(std::ceil(std::max(answer_s(sheet.world.rules) - asked_s, 0.0)));
 }
 
 void write_question(VisitSheet& sheet) {
     sheet.sentence(has_keys(sheet.world) ? "Press any key to go on." : "Press a switch to go on.");
-    sheet.told(sheet.language.text(
-        "visit", "Otherwise your visit ends in {0} seconds.",
-        {sheet.language.number(std::max(sheet.world.rules.answer_s, 30.0), 0)}));
+    sheet.told(sheet.language.counted("visit", "Otherwise your visit ends in {0} second.",
+                                      "Otherwise your visit ends in {0} seconds.",
+                                      seconds_to_answer(sheet)));
+}
+
+void go_on_from_help(VisitWork& work) {
+    uncover(work);
 }
 
 void give_more_time(VisitWork& work) {
@@ -297,7 +306,7 @@ constexpr auto main_screens = std::to_array<VisitScreenRow>({
     {.screen = S::closed,
      .write = write_closed,
      .any_key = [](VisitWork& work) { say_screen(work); }},
-    {.screen = S::help, .title = "Try the keys", .write = write_help},
+    {.screen = S::help, .title = "Try the keys", .write = write_help, .back = go_on_from_help},
     {.screen = S::question,
      .title = "Are you still there?",
      .write = write_question,
@@ -318,11 +327,12 @@ constexpr auto main_items = std::to_array<VisitItemRow>({
     {S::choose, I::camera, "Camera", S::camera, "Takes a photo of what lies under it.",
      [](const VisitSheet& sheet) { return sheet.world.rules.has_camera; }, camera_value},
     {S::choose, I::settings, "Settings", S::settings, "Volume, speech, language and letters."},
-    {S::choose, I::call_staff, "Call staff", call_staff, nullptr,
+    {S::choose, I::call_staff, "Call staff", call_staff_or_not, nullptr,
      [](const VisitSheet& sheet) { return sheet.world.rules.offers_staff; }, staff_value},
     {S::choose, I::finish, "Finish", S::confirm, "Ends your visit."},
     {S::gallery, I::entry, "", VisitList{write_gallery, take_of_gallery}},
-    {S::camera, I::take_picture, "Take the photo", capture},
+    {S::camera, I::take_picture, "Take the photo", capture, nullptr,
+     [](const VisitSheet& sheet) { return sheet.visit.site.has_camera; }},
     {S::opening, I::cancel, "Cancel", cancel_loading},
     {S::confirm, I::no, "No", step_back},
     {S::confirm, I::yes, "Yes", [](VisitWork& work) { asked_question(work.visitor).yes(work); }},
@@ -340,6 +350,14 @@ constexpr auto main_items = std::to_array<VisitItemRow>({
 });
 
 }  // namespace
+
+void call_staff(VisitWork& work) {
+    work.site.is_staff_called = true;
+    order(work, CallStaff{true});
+    const std::string told = words(work, "The staff have been called. You can carry on meanwhile.");
+    if (!work.visitor.over) return say(work, told);
+    open_screen(work) == VisitScreen::trouble ? close_trouble(work, told) : uncover(work, told);
+}
 
 bool has_gallery(const VisitWorld& world) {
     return !world.gallery.empty() && !world.gallery.front().empty();

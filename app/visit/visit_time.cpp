@@ -49,7 +49,7 @@ void mind_presence(VisitWork& work) {
     Visitor& visitor = work.visitor;
     const double now_s = work.site.now_s;
     if (open_screen(work) == VisitScreen::question) {
-        if (now_s - visitor.question_s >= std::max(work.world.rules.answer_s, 30.0)) {
+        if (now_s - visitor.question_s >= answer_s(work.world.rules)) {
             return end_visit(work, VisitScreen::goodbye);
         }
         if (now_s - visitor.attention_s >= attention_every_s) {
@@ -210,6 +210,10 @@ void take(VisitWork& work, const Tick& tick) {
     mind_practice(work);
     ask_for_attention(work);
     mind_presence(work);
+}
+
+double answer_s(const VisitRules& rules) {
+    return std::max(rules.answer_s, 30.0);
 }
 
 void lead(VisitWork& work, const Guide& guide, const std::string& announcement) {

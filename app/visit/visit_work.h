@@ -121,12 +121,19 @@ bool keep_whole(VisitWork& work);
 /// Title, how it is drawn, overview, parts.
 [[nodiscard]] std::string told_picture(const VisitWork& work);
 
+/// Calls the staff, and goes back to what help, the question or a trouble of the handle covers
+/// (visit_screens.cpp).
+void call_staff(VisitWork& work);
+
 // The stick's list (visit_stick.cpp).
 
 void forget_letters(Visitor& visitor);
 
 /// Opens the page of the list that has this file, with the focus on it.
 void return_to_file(VisitWork& work, std::size_t row);
+
+/// How long the visit waits for an answer to its question (visit_time.cpp).
+[[nodiscard]] double answer_s(const VisitRules& rules);
 
 // Leading (visit_time.cpp).
 

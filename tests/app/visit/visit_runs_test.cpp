@@ -176,7 +176,7 @@ TEST(VisitRun, AllLanguages) {
         ASSERT_TRUE(item("Enlargement"));
         house.press(KeyRole::select);
         house.wait(3.0);
-        house.press({KeyRole::help, KeyRole::up, KeyRole::help, KeyRole::help});
+        house.press({KeyRole::help, KeyRole::up, KeyRole::back, KeyRole::back});
         house.apply(TroubleBegan{TroubleKind::camera, ""});
         house.press(KeyRole::select);
         house.wait(91.0);
@@ -308,8 +308,7 @@ TEST(VisitRun, Rude) {
             const bool is_forward =
                 house.open() == VisitScreen::attract || house.open() == VisitScreen::goodbye ||
                 house.open() == VisitScreen::language || house.open() == VisitScreen::trouble;
-            const bool is_helped = house.open() == VisitScreen::help;
-            house.press(is_helped ? KeyRole::help : is_forward ? KeyRole::select : KeyRole::back);
+            house.press(is_forward ? KeyRole::select : KeyRole::back);
         }
         EXPECT_EQ(house.open(), VisitScreen::choose) << seed;
     }
