@@ -81,8 +81,8 @@ class Kiosk {
     /// so its operator's keys need no PIN.
     void strike_operator_key(const PhysicalKey& key);
 
-    /// Offers pictures to choose from, as if a stick had brought them. `rest`: what else it holds.
-    void offer(std::vector<FilePtr> files, const StickRest& rest = {});
+    /// Offers these pictures to every visitor, as if a stick had brought them.
+    void give(std::vector<FilePtr> files);
 
     /// Called about sixty times a second; `now_ns` is of the monotonic clock.
     void step(std::int64_t now_ns);
@@ -158,6 +158,7 @@ class Kiosk {
     // What a step follows.
     void follow_headphones();
     void follow_stick(std::int64_t now_ns);
+    void offer(std::vector<FilePtr> files, const StickRest& rest);
     void follow_loader();
     void follow_camera();
     void tick();
@@ -168,6 +169,7 @@ class Kiosk {
     void report(const std::string& line);
 
     // Keys: kiosk_keys.cpp.
+    void hold_key(const KeyChange& change);
     void act(Action action);
     void press_for_visit(KeyRole role);
     void press_switch(SwitchEvent event);
