@@ -22,6 +22,12 @@ std::size_t place_of(const std::string& code, const std::vector<Language>& langu
     return at == languages.end() ? 0 : static_cast<std::size_t>(at - languages.begin());
 }
 
+std::vector<std::string> names_of(const std::vector<FilePtr>& files) {
+    std::vector<std::string> names;
+    for (const FilePtr& file : files) names.push_back(file->file_name);
+    return names;
+}
+
 }  // namespace
 
 /// Carries out each order of a visit.
@@ -90,7 +96,11 @@ Kiosk::Kiosk(KioskParts parts)
       sticks_(std::move(parts.sticks)),
       photos_(std::move(parts.photos)),
       operator_(std::move(parts.operator_session)),
-      keys_{std::move(parts.keys), KeyFilter(settings_.double_strike_s), {}, parts.are_keys_free},
+      keys_{std::move(parts.keys),
+            KeyFilter(settings_.double_strike_s),
+            {},
+            0.0,
+            parts.are_keys_free},
       hours_(std::move(parts.minute_of_day)),
       reading_language_(std::move(parts.reading_language)) {
     device_facts_.hand_words = std::move(parts.hand_words);
@@ -191,9 +201,14 @@ void Kiosk::follow_headphones() {
     apply(*change);
 }
 
+void Kiosk::give(std::vector<FilePtr> files) {
+    std::vector<std::string> names = names_of(files);
+    pictures_.give(std::move(files));
+    apply(PicturesGiven{std::move(names)});
+}
+
 void Kiosk::offer(std::vector<FilePtr> files, const StickRest& rest) {
-    std::vector<std::string> names;
-    for (const FilePtr& file : files) names.push_back(file->file_name);
+    std::vector<std::string> names = names_of(files);
     pictures_.put_stick(std::move(files));
     apply(StickCame{std::move(names), rest});
 }

@@ -78,8 +78,8 @@ class Kiosk : private Pinned {
     /// so its operator's keys need no PIN.
     void strike_operator_key(const PhysicalKey& key);
 
-    /// Offers pictures to choose from, as if a stick had brought them. `rest`: what else it holds.
-    void offer(std::vector<FilePtr> files, const StickRest& rest = {});
+    /// Offers these pictures to every visitor, as if a stick had brought them.
+    void give(std::vector<FilePtr> files);
 
     /// Called about sixty times a second; `now_ns` is of the monotonic clock.
     void step(std::int64_t now_ns);
@@ -155,6 +155,7 @@ class Kiosk : private Pinned {
     // What a step follows.
     void follow_headphones();
     void follow_stick(std::int64_t now_ns);
+    void offer(std::vector<FilePtr> files, const StickRest& rest);
     void follow_loader();
     void follow_camera();
     void tick();
@@ -165,6 +166,7 @@ class Kiosk : private Pinned {
     void report(const std::string& line);
 
     // Keys: kiosk_keys.cpp.
+    void hold_key(const KeyChange& change);
     void act(Action action);
     void press_for_visit(KeyRole role);
     void press_switch(SwitchEvent event);

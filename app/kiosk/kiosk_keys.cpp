@@ -7,7 +7,8 @@
 namespace touchline {
 
 void Kiosk::change_key(const KeyChange& change) {
-    if (!keys_.filter.takes(change)) return;
+    if (!keys_.filter.takes(change)) return hold_key(change);
+    keys_.held_since_s = change.time_s;
     const auto [role, action] = keys_.meaning_of(change.key);
     if (!role && action == Action::emergency_stop) return act(*action);
     const bool was_in = is_operator_in();
@@ -20,6 +21,16 @@ void Kiosk::change_key(const KeyChange& change) {
     sound_->say({language().code(),
                  language().text("operator", "This key is the operator’s. Enter the PIN first."),
                  SpeechPriority::text});
+}
+
+/// The window system tells of a held key many times a second.
+void Kiosk::hold_key(const KeyChange& change) {
+    constexpr double jump_s = 1.0;  // time to hear where one is
+    const bool is_due = change.time_s - keys_.held_since_s >= jump_s;
+    if (!change.is_repeat || !is_due || is_operator_in()) return;
+    keys_.held_since_s = change.time_s;
+    const auto role = keys_.meaning_of(change.key).role;
+    if (role && settings_.two_switches == SwitchUse::none) apply(KeyHeld{*role});
 }
 
 /// True while there is no PIN, and where nobody could give one.

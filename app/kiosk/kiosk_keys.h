@@ -23,7 +23,8 @@ struct KioskKeys {
     KeyTable table;
     KeyFilter filter;
     SwitchScan scan = {};
-    bool are_free = false;  // as KioskParts::are_keys_free
+    double held_since_s = 0.0;  // when the key was pressed that is held, or told last
+    bool are_free = false;      // as KioskParts::are_keys_free
 
     [[nodiscard]] KeyMeaning meaning_of(const PhysicalKey& key) const {
         return {role_of(table, key),

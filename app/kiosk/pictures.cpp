@@ -122,7 +122,7 @@ FilePtr Pictures::of(const LoadPicture& order) const {
                        ? at(gallery_.files[order.language], order.index)
                        : nullptr;
         case PictureSource::stick:
-            return at(stick_, order.index);
+            return at(stick_.empty() ? given_ : stick_, order.index);
         case PictureSource::camera:
             return photo_;
     }

@@ -43,6 +43,9 @@ class Pictures {
 
     void put_stick(std::vector<FilePtr> files) { stick_ = std::move(files); }
 
+    /// In a stick's place while there is none, for every visitor.
+    void give(std::vector<FilePtr> files) { given_ = std::move(files); }
+
     void put_photo(FilePtr photo) { photo_ = std::move(photo); }
 
     /// Null if it does not exist, or is gone.
@@ -53,6 +56,7 @@ class Pictures {
 
   private:
     Gallery gallery_;
+    std::vector<FilePtr> given_;
     std::vector<FilePtr> stick_;
     FilePtr photo_;
 };

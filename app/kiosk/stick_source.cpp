@@ -1,10 +1,13 @@
 #include "app/kiosk/stick_source.h"
 
+#include "app/documents/decode/one_line.h"
 #include "app/documents/decode/opening.h"
 #include "app/documents/decode/side_car.h"
+#include "app/documents/sticks/first_letters.h"
 #include "app/documents/sticks/import.h"
 #include "app/documents/sticks/names.h"
 #include "app/isolation/process/memory.h"
+#include "app/kiosk/loading/kiosk_stages.h"
 
 #include <atomic>
 #include <chrono>
@@ -12,9 +15,12 @@
 #include <filesystem>
 #include <mutex>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace touchline {
+
+namespace fs = std::filesystem;
 
 /// One reader serves all sticks in turn, so that a process held up by a stick can be reaped later.
 /// The last file read stays in memory: all pages of a document come from one reading.
@@ -67,7 +73,9 @@ class StickReader {
 };
 
 Result<StickListing, StickRefusal> StickReader::list(const std::string& root) {
-    return listed(&StickImport::list, root);
+    auto listing = listed(&StickImport::list, root);
+    if (listing) sort_by_name(listing->entries);
+    return listing;
 }
 
 Result<StickListing, StickRefusal> StickReader::list_operator_files(const std::string& root) {
@@ -156,13 +164,36 @@ std::optional<Mapping> StickReader::side_car(const std::string& root, const Stic
 
 namespace {
 
+/// Office files are only counted.
+bool can_be_felt(StickFileKind kind) {
+    return kind == StickFileKind::picture || kind == StickFileKind::document;
+}
+
+/// Adds the file, or what the folder would offer as a stick; their folders become paths.
+void add_entries(StickReader& reader, const fs::path& path, std::vector<StickEntry>& entries) {
+    std::error_code error;
+    if (!fs::is_directory(path, error)) {
+        const std::string name = path.filename().string();
+        const auto kind = kind_of_name(name);
+        if (kind && can_be_felt(*kind))
+            entries.push_back({*kind, path.parent_path().string(), name});
+        return;
+    }
+    const auto listing = reader.list(path.string());
+    if (!listing) return;
+    for (const StickEntry& entry : listing->entries) {
+        if (!can_be_felt(entry.kind)) continue;
+        entries.push_back({entry.kind, (path / entry.folder).string(), entry.name});
+    }
+}
+
 /// The pictures and documents among the entries, in the same order.
 std::vector<FilePtr> files_of_stick(const std::shared_ptr<StickReader>& reader,
                                     const std::string& root, const StickListing& listing) {
     std::vector<FilePtr> files;
     for (const StickEntry& entry : listing.entries) {
-        if (entry.kind == StickFileKind::office) continue;
-        const std::string stem = std::filesystem::path(entry.name).stem().string();
+        if (!can_be_felt(entry.kind)) continue;
+        const std::string stem = fs::path(entry.name).stem().string();
         files.push_back(std::make_shared<const PictureFile>(
             PictureFile{shown_name(entry.name), shown_name(stem), "", true,
                         [reader, root, entry](const PageOrder& order) {
@@ -174,6 +205,24 @@ std::vector<FilePtr> files_of_stick(const std::shared_ptr<StickReader>& reader,
 }
 
 }  // namespace
+
+std::vector<FilePtr> files_at(const std::vector<std::string>& paths,
+                              const std::string& import_program,
+                              std::vector<std::string>& problems) {
+    StickReader reader(import_program);
+    std::vector<StickEntry> entries;
+    for (const std::string& path : paths) {
+        const std::size_t before = entries.size();
+        add_entries(reader, path, entries);
+        if (entries.size() == before)
+            problems.push_back(one_line(path) + " holds no picture and no PDF; name another one");
+    }
+    sort_by_name(entries);
+    std::vector<FilePtr> files;
+    for (const StickEntry& entry : entries)
+        files.push_back(file_at(fs::path(entry.folder) / entry.name));
+    return files;
+}
 
 StickSource::StickSource(std::unique_ptr<StickPort> port, const std::string& import_program)
     : port_(std::move(port)), reader_(std::make_shared<StickReader>(import_program)) {}
@@ -232,7 +281,7 @@ std::string OperatorStick::take(Listed listed) {
     if (!listed.listing) return sentence_of(listed.listing.error(), "");
     files_ = std::move(listed.listing->entries);
     for (const StickEntry& file : files_)
-        names_.push_back(shown_name(std::filesystem::path(file.name).stem().string()));
+        names_.push_back(shown_name(fs::path(file.name).stem().string()));
     return {};
 }
 

@@ -22,11 +22,18 @@ namespace touchline {
 
 /// The files that a stick offers now. None: it was removed, or offers nothing.
 struct FilesChange {
-    std::vector<FilePtr> files;
-    std::string sentence;  // why there are no files, for the person; may be empty
-    StickRest rest = {};   // what the stick holds beside the files
+    std::vector<FilePtr> files;  // in the order of sort_by_name()
+    std::string sentence;        // why there are no files, for the person; may be empty
+    StickRest rest = {};         // what the stick holds beside the files
     bool is_read = false;  // the search for files has ended; if there are none, the stick has none
 };
+
+/// The pictures at these paths, in the order of a list; of a folder, what a stick with these
+/// contents would offer. `problems` gets a line for each path that offers none. Waits for
+/// touchline-import.
+[[nodiscard]] std::vector<FilePtr> files_at(const std::vector<std::string>& paths,
+                                            const std::string& import_program,
+                                            std::vector<std::string>& problems);
 
 class FileSource : public Interface {
   public:

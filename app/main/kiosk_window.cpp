@@ -224,9 +224,10 @@ class KioskWindow {
     }
 
     void offer_files() {
-        std::vector<FilePtr> files;
-        for (const std::string& path : arguments_.files) files.push_back(file_at(path));
-        if (!files.empty()) kiosk_->offer(std::move(files));
+        std::vector<std::string> problems;
+        auto files = files_at(arguments_.files, companion("touchline-import"), problems);
+        for (const std::string& problem : problems) report(problem);
+        if (!files.empty()) kiosk_->give(std::move(files));
     }
 
     /// The hand means to be where the pointer is, inside the drawing area.

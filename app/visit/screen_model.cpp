@@ -37,13 +37,6 @@ std::optional<std::size_t> place_of(const std::vector<ScreenItem>& items, int id
     return static_cast<std::size_t>(found - items.begin());
 }
 
-ListPage page_of(std::size_t rows, std::size_t wanted) {
-    if (rows == 0) return {};
-    const std::size_t first = std::min(wanted, (rows - 1) / list_page * list_page);
-    return {first, std::min(first + list_page, rows), static_cast<int>(first / list_page + 1),
-            static_cast<int>((rows + list_page - 1) / list_page)};
-}
-
 void add_sentence(std::string& text, const std::string& sentence) {
     if (sentence.empty()) return;
     if (!text.empty()) {
@@ -53,13 +46,21 @@ void add_sentence(std::string& text, const std::string& sentence) {
     text += sentence;
 }
 
+std::string told_place(const SpokenScreen& screen, std::size_t item, const Language& language) {
+    const std::string& own = screen.items.at(item).place;
+    const bool has_places = std::ranges::any_of(
+        screen.items, [](const ScreenItem& each) { return !each.place.empty(); });
+    if (has_places) return own;
+    return language.text("screen", "{0} of {1}",
+                         {std::to_string(item + 1), std::to_string(screen.items.size())});
+}
+
 std::string spoken_item(const SpokenScreen& screen, std::size_t item, const Language& language) {
     const ScreenItem& shown = screen.items.at(item);
     std::string sentence = shown.name;
     add(sentence, shown.value);
     add(sentence, words_of(shown.role, language));
-    add(sentence, language.text("screen", "{0} of {1}",
-                                {std::to_string(item + 1), std::to_string(screen.items.size())}));
+    add(sentence, told_place(screen, item, language));
     return sentence;
 }
 
@@ -77,6 +78,15 @@ std::optional<FocusMove> move_focus(const SpokenScreen& screen, bool is_down) {
     const std::size_t at = *screen.focus;
     if (is_down) return FocusMove{(at + 1) % count, at + 1 == count};
     return FocusMove{(at + count - 1) % count, at == 0};
+}
+
+std::optional<std::size_t> jump_focus(const SpokenScreen& screen, bool is_down) {
+    if (!screen.focus) return std::nullopt;
+    constexpr std::size_t jump = items_on_screen - 1;
+    const std::size_t at = *screen.focus;
+    const std::size_t last = screen.items.size() - 1;
+    const std::size_t to = is_down ? std::min(at + jump, last) : at - std::min(at, jump);
+    return to == at ? std::nullopt : std::optional(to);
 }
 
 }  // namespace touchline

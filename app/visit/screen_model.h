@@ -21,9 +21,10 @@ enum class ItemRole : std::uint8_t { text, choice, setting, toggle };
 struct ScreenItem {
     int id = 0;  // what it stands for, to the screen's maker
     ItemRole role = ItemRole::choice;
-    std::string name;   // never empty
-    std::string value;  // of a setting or toggle, in words; else empty
-    std::string hint;   // one sentence, said after a pause; may be empty
+    std::string name;        // never empty
+    std::string value;       // of a setting or toggle, in words; else empty
+    std::string hint;        // one sentence, said after a pause; may be empty
+    std::string place = {};  // "picture 37 of 205"; empty: that among the items of the screen
 
     friend bool operator==(const ScreenItem&, const ScreenItem&) = default;
 };
@@ -41,6 +42,11 @@ struct SpokenScreen {
     friend bool operator==(const SpokenScreen&, const SpokenScreen&) = default;
 };
 
+/// The item's own place, else "2 of 5"; empty for a way out beside items that have places of their
+/// own. `item` is an index of screen.items.
+[[nodiscard]] std::string told_place(const SpokenScreen& screen, std::size_t item,
+                                     const Language& language);
+
 /// "Cat, 2 of 5", "Firmness, medium, setting, 1 of 4": name, value, role if it can change, place.
 /// `item` is an index of screen.items.
 [[nodiscard]] std::string spoken_item(const SpokenScreen& screen, std::size_t item,
@@ -55,18 +61,8 @@ void set_focus(SpokenScreen& screen, std::size_t wanted);
 /// Where the item with this id is; nothing: it is not shown.
 [[nodiscard]] std::optional<std::size_t> place_of(const std::vector<ScreenItem>& items, int id);
 
-/// The rows of a long list that one screen shows: first ... end - 1.
-struct ListPage {
-    std::size_t first = 0;
-    std::size_t end = 0;
-    int number = 1;  // 1 ... count
-    int count = 1;
-};
-
-inline constexpr std::size_t list_page = 10;  // rows
-
-/// The page that begins at row `wanted`, or the last.
-[[nodiscard]] ListPage page_of(std::size_t rows, std::size_t wanted);
+/// What a screen of 720 rows shows at the standard size.
+inline constexpr std::size_t items_on_screen = 7;
 
 /// Appends the sentence, with a full stop before it if there was none. Does nothing for an empty
 /// sentence.
@@ -79,5 +75,8 @@ struct FocusMove {
 
 /// Moves up or down the list and around its ends. Returns nothing if there are no items.
 [[nodiscard]] std::optional<FocusMove> move_focus(const SpokenScreen& screen, bool is_down);
+
+/// Moves as far as a screen shows, at most to the end of the list. Returns nothing at that end.
+[[nodiscard]] std::optional<std::size_t> jump_focus(const SpokenScreen& screen, bool is_down);
 
 }  // namespace touchline

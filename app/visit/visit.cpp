@@ -1,5 +1,6 @@
 #include "app/visit/visit.h"
 
+#include "app/documents/sticks/first_letters.h"
 #include "app/documents/sticks/spoken_name.h"
 #include "app/visit/visit_work.h"
 
@@ -14,30 +15,38 @@ void leave_screens_of_picture(VisitWork& work) {
     if (work.visitor.path.back().screen == VisitScreen::opening) leave(work);
 }
 
-/// The letters belong to another list; a visitor on their screen goes back to the list.
-void leave_letters(VisitWork& work) {
-    forget_letters(work.visitor);
-    if (work.visitor.path.back().screen == VisitScreen::letters) leave(work);
+std::shared_ptr<const StickList> list_of(const std::vector<std::string>& names,
+                                         const StickRest& rest, const VisitWorld& world) {
+    return std::make_shared<const StickList>(
+        StickList{names, rest, spoken_forms(names, world.languages), first_letters(names)});
+}
+
+/// Without a stick, the pictures that the kiosk was started with are offered.
+void offer_given(Visitor& visitor, const Site& site) {
+    visitor.has_stick = site.given != nullptr;
+    visitor.stick_list = site.given;
+}
+
+void take(VisitWork& work, const PicturesGiven& given) {
+    work.site.given = list_of(given.names, {}, work.world);
+    if (!work.visitor.has_stick) offer_given(work.visitor, work.site);
 }
 
 void take(VisitWork& work, const StickArriving& /*stick*/) {
     work.visitor.has_stick = true;
     work.visitor.stick_list.reset();
-    leave_letters(work);
+    leave_parts_of_stick(work.visitor);
     if (open_screen(work) == VisitScreen::stick) say(work, screen_of(work).text);
 }
 
 void take(VisitWork& work, const StickCame& came) {
     Visitor& visitor = work.visitor;
     visitor.has_stick = true;
-    visitor.stick_list = std::make_shared<const StickList>(
-        StickList{came.names, came.rest, spoken_forms(came.names, work.world.languages)});
-    leave_letters(work);
+    visitor.stick_list = list_of(came.names, came.rest, work.world);
+    leave_parts_of_stick(work.visitor);
     if (!is_visit_on(visit_of(work))) return;
     if (open_screen(work) == VisitScreen::stick) {
         cue(work, ScreenEvent::news);
-        visitor.path.back().about = 0;
-        visitor.path.back().focus = 0;
         return say_item_next(work, screen_of(work).text);  // then it is being read
     }
     cue(work, ScreenEvent::news);
@@ -48,9 +57,8 @@ void take(VisitWork& work, const StickCame& came) {
 void take(VisitWork& work, const StickGone& gone) {
     Visitor& visitor = work.visitor;
     const bool had_stick = visitor.has_stick;
-    visitor.has_stick = false;
-    visitor.stick_list.reset();
-    leave_letters(work);
+    offer_given(visitor, work.site);
+    leave_parts_of_stick(work.visitor);
     if (!is_visit_on(visit_of(work))) return;
     if (!gone.sentence.empty()) return show_trouble(work, gone.sentence, TroubleKind::stick);
     if (!had_stick) return;
@@ -245,6 +253,7 @@ Visitor new_visitor(const Site& site, const VisitWorld& world) {
     visitor.active_s = site.now_s;
     visitor.key_s = site.now_s;
     visitor.entered_s = site.now_s;
+    offer_given(visitor, site);
     if (site.opening != SiteOpening::open) visitor.path = {Standing{VisitScreen::closed}};
     return visitor;
 }
@@ -271,7 +280,8 @@ void end_visit(VisitWork& work, VisitScreen next) {
     order(work, Wipe{});
     order(work, GiveStickBack{});
     const std::size_t language = work.visitor.sound.language;
-    const bool has_stick = work.visitor.has_stick;
+    const bool is_given = work.site.given && work.visitor.stick_list == work.site.given;
+    const bool has_stick = work.visitor.has_stick && !is_given;
     work.visitor = new_visitor(work.site, work.world);
     work.visitor.path = {Standing{next}};
     // The last words are still in the visitor's language.

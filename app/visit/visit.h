@@ -3,7 +3,6 @@
 // Threads: values and pure functions.
 #pragma once
 
-#include "app/documents/sticks/first_letters.h"
 #include "app/documents/sticks/listing.h"
 #include "app/documents/sticks/spoken_name.h"
 #include "app/visit/screen_model.h"
@@ -29,7 +28,6 @@ enum class VisitScreen : std::uint8_t {
     practice,
     gallery,
     stick,
-    letters,  // to search the stick's list
     camera,
     opening,  // work is under way and can be cancelled
     picture,
@@ -48,7 +46,7 @@ enum class VisitScreen : std::uint8_t {
     trouble,   // what, why, what to do
 };
 
-inline constexpr std::size_t visit_screen_count = 22;
+inline constexpr std::size_t visit_screen_count = 21;
 
 /// What an item of a screen stands for (ScreenItem::id). Rows of a list: entry + their number.
 enum class VisitItem : int {
@@ -61,10 +59,6 @@ enum class VisitItem : int {
     settings,
     call_staff,
     finish,
-    next_ten,
-    ten_before,
-    letters,
-    all_files,
     take_picture,
     cancel,
     lead_round,
@@ -83,6 +77,8 @@ enum class VisitItem : int {
     turn_back,
     pages,
     another_picture,
+    next_picture,
+    picture_before,
     other_shape,
     where_am_i,
     whole_picture,
@@ -113,7 +109,8 @@ enum class VisitItem : int {
 struct Standing {
     VisitScreen screen = VisitScreen::attract;
     std::size_t focus = 0;
-    int about = 0;  // first entry of a list's page, item of a setting, what is confirmed
+    int about = 0;  // first row of a list's part, item of a setting, what is confirmed
+    int end = 0;    // end of a list's part; 0: the whole list
 
     friend bool operator==(const Standing&, const Standing&) = default;
 };
@@ -178,6 +175,7 @@ struct Loading {
     LoadPicture order;
     LoadReason reason = LoadReason::other_picture;
     std::string name;  // what is being opened, for the waiting visitor; may be empty
+    std::optional<VisitItem> focus = {};  // then, if the screen has it; nothing: the first
 };
 
 /// Work that the visitor waits for.
@@ -201,6 +199,14 @@ struct Leading {
     bool has_begun = false;
 };
 
+/// What a stick offers. The steps share it, for it may hold thousands of names.
+struct StickList {
+    std::vector<std::string> names;  // raw bytes: only spoken_name() may say them
+    StickRest rest;
+    std::vector<NameForm> forms;       // one for each name, so that no two sound alike
+    std::vector<std::string> letters;  // one for each name: where people look for it
+};
+
 /// The state of the site and its hardware. It outlives a visit.
 struct Site {
     double now_s = 0.0;
@@ -209,14 +215,8 @@ struct Site {
     bool has_headphones = false;
     std::array<std::optional<std::string>, trouble_count> troubles;  // that last; as told, or empty
     bool is_staff_called = false;
-    std::uint64_t request = 0;  // of the last LoadPicture
-};
-
-/// What a stick offers. The steps share it, for it may hold thousands of names.
-struct StickList {
-    std::vector<std::string> names;  // raw bytes: only spoken_name() may say them
-    StickRest rest;
-    std::vector<NameForm> forms;  // one for each name, so that no two sound alike
+    std::shared_ptr<const StickList> given;  // offered in a stick's place while there is none
+    std::uint64_t request = 0;               // of the last LoadPicture
 };
 
 /// A hint that this visitor has heard.
@@ -247,10 +247,8 @@ struct Visitor {
     std::optional<Waiting> waiting;
     bool is_capturing = false;
     bool has_stick = false;
-    bool has_stick_to_take = false;                           // the last screen says so
-    std::shared_ptr<const StickList> stick_list;              // none: not read yet
-    std::shared_ptr<const LetterGroup> found;                 // what the list shows; none: all
-    std::shared_ptr<const std::vector<LetterGroup>> letters;  // shown by the screen of that name
+    bool has_stick_to_take = false;               // the last screen says so
+    std::shared_ptr<const StickList> stick_list;  // none: not read yet
     std::optional<Leading> leading;
     HandleSeen handle;
     double part_since_s = 0.0;  // since the hand is on this part, or on none

@@ -28,6 +28,11 @@ struct KeyPressed {
     KeyRole role = KeyRole::select;
 };
 
+/// The key is still held: comes again and again, every second or so. A shortcut: nothing needs it.
+struct KeyHeld {
+    KeyRole role = KeyRole::down;
+};
+
 /// Shortcuts of larger keypads. Each is also an item of a screen or another key.
 enum class SpeechKey : std::uint8_t { repeat, pause, slower, faster };
 
@@ -58,10 +63,15 @@ struct HeadphonesChanged {
 
 struct StickArriving {};  // a stick was plugged in and is being read
 
-/// `names`: of its files, as the stick has them and in its order.
+/// `names`: of its pictures, as the stick has them, in the order of sort_by_name().
 struct StickCame {
     std::vector<std::string> names;
     StickRest rest;
+};
+
+/// Names as in StickCame, of pictures that the kiosk was started with: they stay for every visitor.
+struct PicturesGiven {
+    std::vector<std::string> names;
 };
 
 /// The stick was pulled out, or refused; `sentence` then says why. Known only now, so what was read
@@ -160,10 +170,11 @@ struct SettingsChanged {
 /// A member of staff came.
 struct StaffCalledOff {};
 
-using VisitEvent = std::variant<Tick, KeyPressed, SpeechKeyPressed, DeadKeyPressed, KnobTurned,
-                                HandleSeen, HeadphonesChanged, StickArriving, StickCame, StickGone,
-                                PictureReady, ThingsLookedFor, PictureFailed, CameraChanged,
-                                CameraCaptured, CameraFailed, GuidanceEnded, TroubleBegan,
-                                TroubleEnded, OpeningChanged, SettingsChanged, StaffCalledOff>;
+using VisitEvent =
+    std::variant<Tick, KeyPressed, KeyHeld, SpeechKeyPressed, DeadKeyPressed, KnobTurned,
+                 HandleSeen, HeadphonesChanged, StickArriving, StickCame, PicturesGiven, StickGone,
+                 PictureReady, ThingsLookedFor, PictureFailed, CameraChanged, CameraCaptured,
+                 CameraFailed, GuidanceEnded, TroubleBegan, TroubleEnded, OpeningChanged,
+                 SettingsChanged, StaffCalledOff>;
 
 }  // namespace touchline

@@ -194,6 +194,21 @@ void take(VisitWork& work, const KeyPressed& key) {
     roles[static_cast<std::size_t>(role)].act(work);
 }
 
+void take(VisitWork& work, const KeyHeld& held) {
+    const bool is_down = held.role == KeyRole::down;
+    const VisitScreen screen = open_screen(work);
+    const bool does_other = row_of(screen).any_key != nullptr || screen == VisitScreen::help;
+    if (does_other || work.visitor.leading || (!is_down && held.role != KeyRole::up)) return;
+    order(work, Hush{});
+    const auto to = jump_focus(screen_of(work), is_down);
+    if (to) open_standing(work).focus = *to;
+    work.visitor.key_s = work.site.now_s;
+    work.visitor.is_hint_due = true;
+    cue(work, to ? ScreenEvent::key_taken : ScreenEvent::list_end);
+    shake(work, to ? HandlePattern::focus : HandlePattern::edge);
+    say_item(work);
+}
+
 void take(VisitWork& work, const SpeechKeyPressed& pressed) {
     const SpeechKey key = pressed.key;
     if (key == SpeechKey::repeat) return take(work, KeyPressed{KeyRole::repeat});

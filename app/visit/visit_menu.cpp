@@ -1,7 +1,5 @@
 #include "app/visit/visit_menu.h"
 
-#include "app/visit/page_place.h"
-
 #include <algorithm>
 #include <array>
 
@@ -19,7 +17,7 @@ const char* hint_of_choice(const VisitWorld& world) {
 }
 
 std::array<VisitMenu, 4> menus() {
-    return {main_menu(), picture_menu(), settings_menu(), stick_menu()};
+    return {main_menu(), picture_menu(), settings_menu(), list_menu()};
 }
 
 std::string told_value(const VisitSheet& sheet, const VisitSetting& setting) {
@@ -71,13 +69,6 @@ void mind_the_only_item(VisitSheet& sheet) {
     if (hint != sheet.words(hint_of_choice(sheet.world))) return;
     const bool is_back = sheet.screen.items.front().id == static_cast<int>(VisitItem::back);
     hint = sheet.words(is_back ? "Press Select to go back." : only_hint);
-}
-
-void turn_page(VisitWork& work, int change) {
-    Standing& open = open_standing(work);
-    open.about = std::max(open.about + change * static_cast<int>(list_page), 0);
-    open.focus = 0;
-    say_screen(work);
 }
 
 /// The row of an item that is shown now. Two rows of one item do the same.
@@ -132,28 +123,11 @@ void VisitSheet::told(const std::string& text) {
     add_sentence(screen.text, text);
 }
 
-void VisitSheet::row(std::size_t number, const std::string& name, const std::string& value) {
+void VisitSheet::row(std::size_t number, const std::string& name, const std::string& value,
+                     const char* hint, const std::string& place) {
     screen.items.push_back({static_cast<int>(VisitItem::entry) + static_cast<int>(number),
-                            ItemRole::choice, name, value, words(hint_of_choice(world))});
-}
-
-void VisitSheet::list(std::size_t count, const std::function<ListRow(std::size_t)>& row_at,
-                      const char* hint) {
-    const auto wanted = static_cast<std::size_t>(std::max(visitor().path.back().about, 0));
-    const ListPage page = page_of(count, wanted);
-    told(told_page(page.number, page.count, language));
-    for (std::size_t i = page.first; i < page.end; ++i) {
-        const ListRow shown = row_at(i);
-        row(shown.number, shown.name, shown.value);
-        screen.items.back().hint = words(hint);
-    }
-    if (page.end < count) add_item(*this, VisitItem::next_ten, "The next ten");
-    if (page.first > 0) add_item(*this, VisitItem::ten_before, "The ten before");
-}
-
-void VisitSheet::list(const std::vector<ListRow>& rows, const char* hint) {
-    list(
-        rows.size(), [&rows](std::size_t place) { return rows[place]; }, hint);
+                            ItemRole::choice, name, value,
+                            words(hint == nullptr ? hint_of_choice(world) : hint), place});
 }
 
 const VisitScreenRow& row_of(VisitScreen screen) {
@@ -210,8 +184,6 @@ void select(VisitWork& work) {
     cue(work, ScreenEvent::key_taken);
     shake(work, HandlePattern::chosen);
     if (item == VisitItem::back) return row_of(open_screen(work)).back(work);
-    if (item == VisitItem::next_ten) return turn_page(work, +1);
-    if (item == VisitItem::ten_before) return turn_page(work, -1);
     if (const auto* const row = shown_row(open_screen(work), item))
         std::visit(Choose{work, item, shown}, row->does);
 }

@@ -7,7 +7,6 @@
 
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -15,12 +14,6 @@
 #include <vector>
 
 namespace touchline {
-
-struct ListRow {
-    std::size_t number = 0;  // what the row stands for
-    std::string name;
-    std::string value;
-};
 
 /// A screen while it is being written. The English texts belong to the context "visit".
 struct VisitSheet {
@@ -40,13 +33,10 @@ struct VisitSheet {
 
     /// Adds text that is in the visitor's language already.
     void told(const std::string& text);
-    void row(std::size_t number, const std::string& name, const std::string& value = {});
 
-    /// Writes the page of ten rows that begins at Standing::about, and the items that lead to the
-    /// other pages. Asks `row_at` only for the rows on the page.
-    void list(std::size_t count, const std::function<ListRow(std::size_t)>& row_at,
-              const char* hint);
-    void list(const std::vector<ListRow>& rows, const char* hint);
+    /// `hint`: nothing is that of its kind. `place`: ScreenItem::place.
+    void row(std::size_t number, const std::string& name, const std::string& value = {},
+             const char* hint = nullptr, const std::string& place = {});
 };
 
 using VisitAct = void (*)(VisitWork&);
@@ -141,7 +131,7 @@ struct VisitMenu {
 [[nodiscard]] VisitMenu main_menu();      // visit_screens.cpp
 [[nodiscard]] VisitMenu picture_menu();   // visit_picture_screens.cpp
 [[nodiscard]] VisitMenu settings_menu();  // visit_settings.cpp
-[[nodiscard]] VisitMenu stick_menu();     // visit_stick.cpp
+[[nodiscard]] VisitMenu list_menu();      // visit_lists.cpp
 
 [[nodiscard]] const VisitScreenRow& row_of(VisitScreen screen);
 
@@ -154,7 +144,6 @@ void show(VisitWork& work, VisitScreen screen, int about = 0, std::size_t focus 
 /// Writes each key and its use, to be read (visit_keys.cpp).
 void write_keys(VisitSheet& sheet);
 
-[[nodiscard]] bool has_gallery(const VisitWorld& world);
 
 /// The title of what is felt, or what stands for it.
 [[nodiscard]] std::string picture_title(const VisitSheet& sheet);

@@ -44,10 +44,11 @@ void leave_opening(VisitWork& work) {
     if (work.visitor.path.back().screen == VisitScreen::opening) leave(work);
 }
 
-void arrive_at_picture(VisitWork& work) {
+void arrive_at_picture(VisitWork& work, const Loading& done) {
     Visitor& visitor = work.visitor;
-    const bool is_practice = visitor.felt->order.source == PictureSource::practice;
+    const bool is_practice = done.order.source == PictureSource::practice;
     go_to(work, is_practice ? VisitScreen::practice : VisitScreen::picture);
+    if (done.focus) focus_on(work, *done.focus);
     if (visitor.over) return say(work, told_picture(work), SpeechPriority::hint);
     const PagePlace& place = visitor.felt->facts.place;
     if (place.things != ThingSearch::under_way) return say_screen(work);
@@ -194,7 +195,7 @@ void take(VisitWork& work, const PictureReady& ready) {
         leave_opening(work);
         if (done.reason == LoadReason::other_picture) {
             visitor.has_felt = false;
-            return arrive_at_picture(work);
+            return arrive_at_picture(work, done);
         }
         return tell_change(work, done.reason);
     }

@@ -128,12 +128,14 @@ void write_picture(VisitSheet& sheet) {
 }
 
 void write_parts(VisitSheet& sheet) {
-    std::vector<ListRow> rows;
-    for (const PartFacts& part : facts_of(sheet).parts) {
-        rows.push_back(
-            {rows.size(), part.name, words_of(place_of(part.middle_W, CueArea{}), sheet.language)});
+    const std::vector<PartFacts>& parts = facts_of(sheet).parts;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        sheet.row(i, parts[i].name,
+                  words_of(place_of(parts[i].middle_W, CueArea{}), sheet.language),
+                  "Press Select, and the handle guides you to the part.",
+                  sheet.language.text("screen", "{0} of {1}",
+                                      {std::to_string(i + 1), std::to_string(parts.size())}));
     }
-    sheet.list(rows, "Press Select, and the handle guides you to the part.");
 }
 
 void write_zoom(VisitSheet& sheet) {
@@ -141,10 +143,10 @@ void write_zoom(VisitSheet& sheet) {
 }
 
 void write_parts_to_enlarge(VisitSheet& sheet) {
-    std::vector<ListRow> rows;
-    for (const PartFacts& part : facts_of(sheet).parts)
-        rows.push_back({rows.size(), part.name, sheet.words("enlarged")});
-    sheet.list(rows, "Press Select to enlarge it twice, then four times.");
+    const std::vector<PartFacts>& parts = facts_of(sheet).parts;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        sheet.row(i, parts[i].name, sheet.words("enlarged"),
+                  "Press Select to enlarge it twice, then four times.");
 }
 
 void write_pages(VisitSheet& sheet) {
@@ -288,11 +290,8 @@ void choose_another(VisitWork& work) {
     const LoadPicture felt = work.visitor.felt->order;
     switch (felt.source) {
         case PictureSource::gallery:
-            go_to(work, VisitScreen::gallery);
-            break;
         case PictureSource::stick:
-            go_to(work, VisitScreen::stick);
-            return_to_file(work, felt.index);
+            return_to_row(work, felt.source, felt.index);
             break;
         case PictureSource::camera:
             go_to(work, VisitScreen::camera);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 namespace touchline {
 namespace {
@@ -92,44 +91,6 @@ void call_staff_or_not(VisitWork& work) {
     work.site.is_staff_called = false;
     order(work, CallStaff{false});
     say(work, words(work, "The staff are no longer called."));
-}
-
-// The gallery.
-
-const std::vector<GalleryTitle>& gallery_of(const VisitSheet& sheet) {
-    static const std::vector<GalleryTitle> none;
-    if (sheet.world.gallery.empty()) return none;
-    const std::size_t last = sheet.world.gallery.size() - 1;
-    return sheet.world.gallery[std::min(sheet.visitor().sound.language, last)];
-}
-
-/// The easiest first; ungraded pictures last.
-std::vector<std::size_t> gallery_order(const std::vector<GalleryTitle>& gallery) {
-    std::vector<std::size_t> numbers(gallery.size());
-    std::iota(numbers.begin(), numbers.end(), std::size_t{0});
-    std::ranges::stable_sort(numbers, {}, [&gallery](std::size_t number) {
-        constexpr int ungraded = 6;
-        return gallery[number].difficulty.value_or(ungraded);
-    });
-    return numbers;
-}
-
-void write_gallery(VisitSheet& sheet) {
-    static constexpr std::array grades{"very easy", "easy", "medium", "hard", "very hard"};
-    const std::vector<GalleryTitle>& gallery = gallery_of(sheet);
-    std::vector<ListRow> rows;
-    for (const std::size_t number : gallery_order(gallery)) {
-        const std::optional<int> grade = gallery[number].difficulty;
-        rows.push_back(
-            {number, gallery[number].title,
-             grade ? sheet.words(grades[static_cast<std::size_t>(std::clamp(*grade, 1, 5) - 1)])
-                   : std::string()});
-    }
-    sheet.list(rows, "Press Select to open it.");
-}
-
-void take_of_gallery(VisitWork& work, std::size_t number, const std::string& name) {
-    open_picture(work, PictureSource::gallery, number, name);
 }
 
 // The camera, and work under way.
@@ -294,7 +255,6 @@ constexpr auto main_screens = std::to_array<VisitScreenRow>({
      .write = write_language,
      .back = [](VisitWork& work) { end_visit(work, S::goodbye); }},
     {.screen = S::choose, .title = "What to feel", .write = write_choose, .back = ask_to_finish},
-    {.screen = S::gallery, .title = "Gallery", .back_item = "Back"},
     {.screen = S::camera,
      .title = "Camera",
      .write = write_camera,
@@ -319,8 +279,7 @@ constexpr auto main_items = std::to_array<VisitItemRow>({
     {S::choose, I::back_to_picture, "Back to the picture", return_to_picture, nullptr,
      has_own_picture, picture_title},
     {S::choose, I::practise, "Practice shape", practise, "A circle shows how a line feels."},
-    {S::choose, I::gallery, "Gallery", S::gallery, "The easiest come first.",
-     [](const VisitSheet& sheet) { return has_gallery(sheet.world); }},
+    {S::choose, I::gallery, "Gallery", S::gallery, "The easiest come first.", has_gallery},
     {S::choose, I::stick, "Your USB stick", S::stick,
      "Nothing is written to it. You can pull it out at any time.",
      [](const VisitSheet& sheet) { return sheet.world.rules.has_stick_port; }, stick_value},
@@ -330,7 +289,6 @@ constexpr auto main_items = std::to_array<VisitItemRow>({
     {S::choose, I::call_staff, "Call staff", call_staff_or_not, nullptr,
      [](const VisitSheet& sheet) { return sheet.world.rules.offers_staff; }, staff_value},
     {S::choose, I::finish, "Finish", S::confirm, "Ends your visit."},
-    {S::gallery, I::entry, "", VisitList{write_gallery, take_of_gallery}},
     {S::camera, I::take_picture, "Take the photo", capture, nullptr,
      [](const VisitSheet& sheet) { return sheet.visit.site.has_camera; }},
     {S::opening, I::cancel, "Cancel", cancel_loading},

@@ -125,12 +125,14 @@ bool keep_whole(VisitWork& work);
 /// (visit_screens.cpp).
 void call_staff(VisitWork& work);
 
-// The stick's list (visit_stick.cpp).
+// The lists of pictures (visit_lists.cpp).
 
-void forget_letters(Visitor& visitor);
+/// Opens the list, and each part in it, down to the picture of this LoadPicture::index, which has
+/// the focus. `source`: gallery or stick.
+void return_to_row(VisitWork& work, PictureSource source, std::size_t number);
 
-/// Opens the page of the list that has this file, with the focus on it.
-void return_to_file(VisitWork& work, std::size_t row);
+/// Called when the list becomes another one: whoever is in a part of it is in all of it then.
+void leave_parts_of_stick(Visitor& visitor);
 
 /// How long the visit waits for an answer to its question (visit_time.cpp).
 [[nodiscard]] double answer_s(const VisitRules& rules);
@@ -151,6 +153,9 @@ void select(VisitWork& work);
 // What happens, beside what visit.cpp takes itself.
 void take(VisitWork& work, const Tick& tick);       // visit_time.cpp
 void take(VisitWork& work, const KeyPressed& key);  // visit_keys.cpp
+/// Up and Down go through a list in larger steps while they are held. A key that is held by a thing
+/// is no visitor: it keeps no visit alive.
+void take(VisitWork& work, const KeyHeld& held);
 void take(VisitWork& work, const SpeechKeyPressed& key);
 void take(VisitWork& work, const DeadKeyPressed& key);
 void take(VisitWork& work, const HandleSeen& handle);

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 namespace touchline {
 namespace {
@@ -52,8 +53,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     demand(spoken.find_first_of("<>[]{}&%$\\/") == std::string::npos);
     demand(order.key_of(name).size() > size);
     const std::array names{name, std::string("a")};
-    const std::array<std::size_t, 2> rows{0, 1};
-    demand(!letter_groups(names, rows, "es").empty());
+    demand(first_letters(names).back() == "A");
+    std::vector<StickEntry> entries{{StickFileKind::picture, "", "a"},
+                                    {StickFileKind::picture, "", name}};
+    sort_by_name(entries);
+    demand(entries[0].name == "a" || entries[1].name == "a");
     demand(side_car_of(name).ends_with(".txt"));
     if (is_left_out(name)) return 0;
     (void)kind_of_name(name);

@@ -24,6 +24,9 @@ class BlindVisitor {
     /// Finds the item and selects it. heard() then returns what was said since.
     [[nodiscard]] bool choose(const std::string& item);
 
+    /// Chooses a picture of the open list, and hears each of its parts until one has it.
+    [[nodiscard]] bool choose_picture(const std::string& name);
+
     void press(KeyRole role);
 
     /// Returns all that was said since the last key.

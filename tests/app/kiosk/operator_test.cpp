@@ -459,7 +459,7 @@ TEST(House, CountsVisitsAndPicturesButNobody) {
     visitor.press(KeyRole::select);
     ASSERT_TRUE(visitor.choose("English"));
     ASSERT_TRUE(visitor.choose("Gallery"));
-    ASSERT_TRUE(visitor.choose("A heart"));
+    ASSERT_TRUE(visitor.choose_picture("A heart"));
     world.run(400.0);
     EXPECT_FALSE(is_visit_on(world.kiosk().visit()));
     const auto counters = read_counters(world.site_files().counters);

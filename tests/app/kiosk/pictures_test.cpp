@@ -79,8 +79,10 @@ TEST(Pictures, AChoiceIsAFileOrNothing) {
     pictures.put_photo(file_named("photo"));
     EXPECT_EQ(of(PictureSource::stick, 0), "stick");
     EXPECT_EQ(of(PictureSource::camera, 0), "photo");
+    pictures.give({file_named("given")});
+    EXPECT_EQ(of(PictureSource::stick, 0), "stick");
     pictures.forget();
-    EXPECT_EQ(of(PictureSource::stick, 0), "nothing");
+    EXPECT_EQ(of(PictureSource::stick, 0), "given") << "for the next visitor too";
     EXPECT_EQ(of(PictureSource::camera, 0), "nothing");
     EXPECT_EQ(of(PictureSource::gallery, 0), "a");
 }

@@ -193,6 +193,27 @@ TEST(StickSourceOfAFolder, OffersWhatIsPutThere) {
 
 using Names = std::vector<std::string>;
 
+TEST(FilesAtPaths, AreThoseThatAStickWouldOfferInItsOrder) {
+    const StickFolder folder;
+    folder.folder("holiday/sea");
+    folder.file("holiday/sea/boat.png");
+    folder.file("holiday/zebra.pdf");
+    folder.file("holiday/letter.docx");
+    folder.file("holiday/.hidden.png");
+    folder.file("cat.jpg");
+    folder.file("notes.xyz");
+    Names problems;
+    const auto files = files_at({folder.root() + "/holiday", folder.root() + "/notes.xyz",
+                                 folder.root() + "/cat.jpg", folder.root() + "/nowhere"},
+                                TOUCHLINE_IMPORT, problems);
+    Names names;
+    for (const FilePtr& file : files) names.push_back(file->file_name);
+    EXPECT_EQ(names, (Names{"boat.png", "cat.jpg", "zebra.pdf"}));
+    ASSERT_EQ(problems.size(), 2U);
+    EXPECT_NE(problems[0].find("notes.xyz holds no picture"), std::string::npos) << problems[0];
+    EXPECT_NE(problems[1].find("nowhere holds no picture"), std::string::npos) << problems[1];
+}
+
 class OperatorStickTest : public testing::Test {
   protected:
     /// Waits until there are `count` names, which must come.

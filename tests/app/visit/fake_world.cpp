@@ -24,8 +24,8 @@ std::vector<Language> read_all() {
 std::vector<GalleryTitle> twelve_pictures(const std::string& code) {
     std::vector<GalleryTitle> pictures;
     for (int i = 1; i <= 12; ++i) {
-        pictures.push_back(
-            {"Picture " + std::to_string(i) + " " + code, "From the side.", 6 - i % 6});
+        const auto grade = i % 6 == 0 ? std::nullopt : std::optional(6 - i % 6);
+        pictures.push_back({"Picture " + std::to_string(i) + " " + code, "From the side.", grade});
     }
     return pictures;
 }
@@ -132,6 +132,21 @@ bool FakeHouse::choose(const std::string& name) {
     if (!find(name)) return false;
     press(KeyRole::select);
     return true;
+}
+
+bool FakeHouse::choose_picture(const std::string& name) {
+    if (choose(name)) return true;
+    for (std::size_t i = 0; i < screen().items.size(); ++i) {
+        const SpokenScreen now = screen();
+        const std::string& place = now.items[*now.focus].place;
+        if (!place.empty() && !place.starts_with("picture ")) {
+            press(KeyRole::select);
+            if (choose_picture(name)) return true;
+            press(KeyRole::back);
+        }
+        press(KeyRole::down);
+    }
+    return false;
 }
 
 bool FakeHouse::has_said(const std::string& part, std::size_t from) const {

@@ -45,6 +45,9 @@ class FakeHouse {
     /// Calls find() and presses Select.
     bool choose(const std::string& name);
 
+    /// Chooses this picture of the open list, in whichever of its parts. Knows English.
+    bool choose_picture(const std::string& name);
+
     [[nodiscard]] SpokenScreen screen() const { return screen_of(visit, world()); }
 
     [[nodiscard]] VisitScreen open() const { return open_screen(visit); }

@@ -51,16 +51,27 @@ TEST(ScreenModel, TheFocusStaysOnAnItem) {
     EXPECT_FALSE(screen.focus);
 }
 
-TEST(ScreenModel, ALongListHasPagesOfTen) {
-    const ListPage last = page_of(23, 40);
-    EXPECT_EQ(last.first, 20U);
-    EXPECT_EQ(last.end, 23U);
-    EXPECT_EQ(last.number, 3);
-    EXPECT_EQ(last.count, 3);
-    EXPECT_EQ(page_of(20, 10).end, 20U);
-    EXPECT_EQ(page_of(20, 10).count, 2);
-    EXPECT_EQ(page_of(0, 10).first, page_of(0, 10).end);
-    EXPECT_EQ(page_of(0, 10).count, 1);
+TEST(ScreenModel, ItemsWithPlacesOfTheirOwnAreCountedWithoutTheWayOut) {
+    SpokenScreen list;
+    list.title = "Gallery";
+    list.items = {{1000, ItemRole::choice, "A star", "easy", "", "picture 37 of 205"},
+                  {0, ItemRole::choice, "Back", "", ""}};
+    const Language english;
+    EXPECT_EQ(spoken_item(list, 0, english), "A star, easy, picture 37 of 205");
+    EXPECT_EQ(spoken_item(list, 1, english), "Back");
+    EXPECT_EQ(told_place(list, 1, english), "");
+}
+
+TEST(ScreenModel, AJumpGoesAScreenOnAndStopsAtTheEnds) {
+    SpokenScreen list;
+    list.items.resize(16);
+    EXPECT_FALSE(jump_focus(list, true));
+    list.focus = 0;
+    EXPECT_FALSE(jump_focus(list, false));
+    std::vector<std::size_t> places;
+    while (const auto to = jump_focus(list, true)) places.push_back(*(list.focus = to));
+    EXPECT_EQ(places, (std::vector<std::size_t>{6, 12, 15}));
+    EXPECT_EQ(jump_focus(list, false), 9U);
 }
 
 }  // namespace

@@ -206,25 +206,6 @@ TEST(Visit, IN7_TheHandleMayBeLetGoAtAnyTime) {
     EXPECT_TRUE(house.visit.visitor.felt) << "nothing is lost";
 }
 
-TEST(Visit, LongListsComeInTens) {
-    FakeHouse house;
-    to_choose(house);
-    std::vector<std::string> names;
-    for (int i = 1; i <= 23; ++i) names.push_back("file " + std::to_string(i));
-    house.apply(StickCame{names, {}});
-    ASSERT_TRUE(house.choose("Your USB stick"));
-    EXPECT_EQ(house.screen().items.size(), 13U) << "next ten, first letter, back";
-    ASSERT_TRUE(house.choose("The next ten"));
-    EXPECT_EQ(house.screen().items[0].name, "file 11");
-    EXPECT_NE(house.last_said().find("Page 2 of 3"), std::string::npos);
-    ASSERT_TRUE(house.choose("The next ten"));
-    EXPECT_EQ(house.screen().items[2].name, "file 23");
-    EXPECT_FALSE(house.find("The next ten"));
-    ASSERT_TRUE(house.choose("The ten before"));
-    ASSERT_TRUE(house.choose("file 12"));
-    EXPECT_EQ(house.visit.visitor.loading->order.index, 11U);
-}
-
 TEST(Visit, APictureIsOrderedByTheNameThatTheListSays) {
     FakeHouse house;
     to_choose(house);
@@ -232,61 +213,6 @@ TEST(Visit, APictureIsOrderedByTheNameThatTheListSays) {
     ASSERT_TRUE(house.choose("Your USB stick"));
     ASSERT_TRUE(house.choose("photo 45 12, J P G"));
     EXPECT_EQ(house.visit.visitor.loading->order.form, (NameForm{NameDetail::with_ending}));
-}
-
-/// Names as a camera gives them, a person's names, and dates.
-std::vector<std::string> a_thousand_names() {
-    std::vector<std::string> names;
-    for (int i = 0; i < 900; ++i) names.push_back("IMG_" + std::to_string(1000 + i) + ".JPG");
-    for (int i = 0; i < 60; ++i) names.push_back("boat " + std::to_string(100 + i) + ".png");
-    for (int i = 0; i < 30; ++i) names.push_back("2023040" + std::to_string(1 + i % 9) + ".png");
-    for (int i = 0; i < 10; ++i) names.push_back("Zebra " + std::to_string(i) + ".png");
-    return names;
-}
-
-TEST(Visit, AThousandFilesAreFoundByTheirLetters) {
-    FakeHouse house;
-    to_choose(house);
-    house.apply(StickCame{a_thousand_names(), {}});
-    ASSERT_TRUE(house.choose("Your USB stick"));
-    EXPECT_TRUE(house.has_said("Page 1 of 100", 0));
-    ASSERT_TRUE(house.choose("By the first letter"));
-    EXPECT_EQ(house.open(), VisitScreen::letters);
-    EXPECT_EQ(house.last_said(), "How names begin. digits, 30 files, 1 of 5");
-    house.press(KeyRole::down);
-    EXPECT_EQ(house.last_said(), "B, 60 files, 2 of 5");
-    house.press(KeyRole::down);
-    EXPECT_EQ(house.last_said(), "I, 900 files, 3 of 5");
-    house.press({KeyRole::up, KeyRole::select});
-    EXPECT_EQ(house.open(), VisitScreen::stick);
-    EXPECT_EQ(house.last_said(),
-              "Your USB stick. Beginning with B: 60 files. Page 1 of 6. boat 100, 1 of 14");
-    ASSERT_TRUE(house.choose("The next ten"));
-    ASSERT_TRUE(house.choose("boat 112"));
-    EXPECT_EQ(house.visit.visitor.loading->order.index, 912U);
-    house.wait(house.load_s + 0.1);
-    ASSERT_TRUE(house.choose("Another picture"));
-    EXPECT_EQ(house.screen().items[*house.screen().focus].name, "boat 112") << "where it was";
-    ASSERT_TRUE(house.choose("All files"));
-    EXPECT_TRUE(house.has_said("Page 1 of 100", house.transcript.size() - 1));
-}
-
-/// Names that a camera gives: the list asks for more letters until ten are left.
-TEST(Visit, ACamerasThousandNeedsFewPresses) {
-    FakeHouse house;
-    to_choose(house);
-    house.apply(StickCame{a_thousand_names(), {}});
-    ASSERT_TRUE(house.choose("Your USB stick"));
-    ASSERT_TRUE(house.choose("By the first letter"));
-    ASSERT_TRUE(house.choose("I"));
-    ASSERT_TRUE(house.choose("By the next letter"));
-    EXPECT_EQ(house.last_said(), "How names begin. I M G 10, 100 files, 1 of 10");
-    ASSERT_TRUE(house.choose("I M G 15"));
-    ASSERT_TRUE(house.choose("By the next letter"));
-    ASSERT_TRUE(house.choose("I M G 153"));
-    EXPECT_FALSE(house.find("By the next letter")) << "ten are a page";
-    ASSERT_TRUE(house.choose("photo 15 37"));
-    EXPECT_EQ(house.visit.visitor.loading->order.index, 537U);
 }
 
 TEST(Visit, WhatTheListLeavesOutIsHeardInTheVisitorsLanguage) {
@@ -300,33 +226,9 @@ TEST(Visit, WhatTheListLeavesOutIsHeardInTheVisitorsLanguage) {
     EXPECT_NE(house.screen().text.find("Ordner in acht anderen"), std::string::npos);
 }
 
-TEST(Visit, LettersOfAStickThatGoesAreLeft) {
-    FakeHouse house;
-    to_choose(house);
-    house.apply(StickCame{a_thousand_names(), {}});
-    ASSERT_TRUE(house.choose("Your USB stick"));
-    ASSERT_TRUE(house.choose("By the first letter"));
-    house.apply(StickGone{});
-    EXPECT_EQ(house.open(), VisitScreen::stick);
-    EXPECT_FALSE(house.visit.visitor.letters);
-    house.apply(StickCame{{"a.png"}, {}});
-    EXPECT_EQ(house.screen().items.size(), 2U);
-}
-
-TEST(Visit, TheEasiestPicturesComeFirst) {
-    FakeHouse house;
-    to_choose(house);
-    ASSERT_TRUE(house.choose("Gallery"));
-    EXPECT_EQ(house.screen().items[0].value, "very easy");
-    EXPECT_EQ(house.screen().items[0].name, "Picture 5 en");
-    house.press(KeyRole::select);
-    EXPECT_EQ(house.last<LoadPicture>()[0].index, 4U);
-    EXPECT_EQ(house.last<LoadPicture>()[0].source, PictureSource::gallery);
-}
-
 TEST(VisitMenu, EveryScreenHasOneRow) {
     std::multiset<VisitScreen> rows;
-    for (const VisitMenu& menu : {main_menu(), picture_menu(), settings_menu(), stick_menu()})
+    for (const VisitMenu& menu : {main_menu(), picture_menu(), settings_menu(), list_menu()})
         for (const VisitScreenRow& row : menu.screens) rows.insert(row.screen);
     EXPECT_EQ(rows.size(), visit_screen_count);
     for (std::size_t i = 0; i < visit_screen_count; ++i) {

@@ -34,8 +34,10 @@ void go_back(StagedKiosk& kiosk, int screens = 1) {
     }
 }
 
+/// One of the easiest, which are the first part of the list.
 void open_picture_of_gallery(StagedKiosk& kiosk, std::size_t place) {
     kiosk.choose(VisitItem::gallery);
+    kiosk.choose(row(0));
     kiosk.choose(kiosk.screen().items.at(place).id);
     kiosk.wait_for(VisitScreen::picture);
 }

@@ -1,0 +1,312 @@
+// The lists of pictures, the gallery's and a stick's: a long one in parts, each named by how its
+// pictures are sorted; and the way from a picture to its neighbours.
+#include "app/documents/sticks/first_letters.h"
+#include "app/documents/sticks/spoken_name.h"
+#include "app/documents/sticks/spoken_name.h"
+#include "app/visit/list_parts.h"
+#include "app/visit/visit_menu.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <optional>
+
+namespace touchline {
+namespace {
+
+const std::vector<GalleryTitle>& gallery_of(const Visitor& visitor, const VisitWorld& world) {
+    static const std::vector<GalleryTitle> none;
+    if (world.gallery.empty()) return none;
+    return world.gallery[std::min(visitor.sound.language, world.gallery.size() - 1)];
+}
+
+/// The easiest first; ungraded pictures last.
+std::vector<std::size_t> gallery_order(const std::vector<GalleryTitle>& gallery) {
+    std::vector<std::size_t> numbers(gallery.size());
+    std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+    std::ranges::stable_sort(numbers, {}, [&gallery](std::size_t number) {
+        constexpr int ungraded = 6;
+        return gallery[number].difficulty.value_or(ungraded);
+    });
+    return numbers;
+}
+
+std::string grade_in_words(const GalleryTitle& picture, const Language& language) {
+    static constexpr std::array grades{"very easy", "easy", "medium", "hard", "very hard"};
+    if (!picture.difficulty) return {};
+    const int grade = std::clamp(*picture.difficulty, 1, 5);
+    return language.text("visit", grades[static_cast<std::size_t>(grade - 1)]);
+}
+
+std::string letter_in_words(const std::string& letter, const Language& language) {
+    if (letter == digit_letter) return language.text("visit", "digits");
+    return letter.empty() ? language.text("visit", "other signs") : letter;
+}
+
+/// The pictures of a list, row by row.
+class PictureRows {
+  public:
+    /// Of the gallery, or of the stick, which need not be read yet.
+    PictureRows(PictureSource source, const Visitor& visitor, const VisitWorld& world,
+                const Language& language)
+        : language_(language) {
+        if (source == PictureSource::stick) {
+            stick_ = visitor.stick_list.get();
+            return;
+        }
+        gallery_ = &gallery_of(visitor, world);
+        order_ = gallery_order(*gallery_);
+    }
+
+    [[nodiscard]] std::size_t size() const { return stick_ ? stick_->names.size() : order_.size(); }
+
+    /// LoadPicture::index.
+    [[nodiscard]] std::size_t number_at(std::size_t row) const {
+        return stick_ ? row : order_[row];
+    }
+
+    [[nodiscard]] std::optional<std::size_t> row_of(std::size_t number) const {
+        if (stick_) return number < size() ? std::optional(number) : std::nullopt;
+        const auto at = std::ranges::find(order_, number);
+        if (at == order_.end()) return std::nullopt;
+        return static_cast<std::size_t>(at - order_.begin());
+    }
+
+    [[nodiscard]] std::string name_at(std::size_t row) const {
+        if (!stick_) return picture_at(row).title;
+        return spoken_name(stick_->names[row], language_, stick_->forms[row]);
+    }
+
+    [[nodiscard]] std::string value_at(std::size_t row) const {
+        return stick_ ? std::string() : grade_in_words(picture_at(row), language_);
+    }
+
+    [[nodiscard]] std::vector<ListPart> parts(const ListPart& part) const {
+        return parts_of(part, size(), [this](std::size_t row) { return begins_key(row); });
+    }
+
+    /// "very easy", "A to C"; "boat 101 to boat 130" where a letter or grade goes on.
+    [[nodiscard]] std::string name_of(const ListPart& part) const {
+        const std::size_t last = part.end - 1;
+        const bool is_by_key = begins_key(part.first) && begins_key(part.end);
+        const std::string from = is_by_key ? key_at(part.first) : name_at(part.first);
+        const std::string to = is_by_key ? key_at(last) : name_at(last);
+        return from == to ? from : language_.text("visit", "{0} to {1}", {from, to});
+    }
+
+  private:
+    [[nodiscard]] const GalleryTitle& picture_at(std::size_t row) const {
+        return (*gallery_)[order_[row]];
+    }
+
+    [[nodiscard]] bool begins_key(std::size_t row) const {
+        if (row == 0 || row == size()) return true;
+        if (stick_) return stick_->letters[row] != stick_->letters[row - 1];
+        return picture_at(row).difficulty != picture_at(row - 1).difficulty;
+    }
+
+    [[nodiscard]] std::string key_at(std::size_t row) const {
+        if (stick_) return letter_in_words(stick_->letters[row], language_);
+        const std::string grade = value_at(row);
+        return grade.empty() ? language_.text("visit", "not graded") : grade;
+    }
+
+    const Language& language_;
+    const std::vector<GalleryTitle>* gallery_ = nullptr;  // one of these, or none
+    const StickList* stick_ = nullptr;
+    std::vector<std::size_t> order_;  // of the gallery
+};
+
+VisitScreen list_of(PictureSource source) {
+    return source == PictureSource::stick ? VisitScreen::stick : VisitScreen::gallery;
+}
+
+PictureRows rows_of(const VisitSheet& sheet, PictureSource source) {
+    return {source, sheet.visitor(), sheet.world, sheet.language};
+}
+
+PictureRows rows_of(const VisitWork& work, PictureSource source) {
+    return {source, work.visitor, work.world, language_of(work)};
+}
+
+/// The rows that an open list shows, itself or by its parts.
+ListPart part_of(const Standing& open, const PictureRows& rows) {
+    if (open.end == 0) return {0, rows.size()};
+    return {static_cast<std::size_t>(open.about), static_cast<std::size_t>(open.end)};
+}
+
+std::string pictures_in_words(std::size_t count, const Language& language) {
+    return language.counted("count", "{0} picture", "{0} pictures", static_cast<int>(count));
+}
+
+// What a list shows.
+
+void write_picture_row(VisitSheet& sheet, const PictureRows& rows, std::size_t row) {
+    sheet.row(row, rows.name_at(row), rows.value_at(row), "Press Select to open it.",
+              sheet.language.text("visit", "picture {0} of {1}",
+                                  {std::to_string(row + 1), std::to_string(rows.size())}));
+}
+
+/// A picture that is a part by itself is shown at once.
+void write_part(VisitSheet& sheet, const PictureRows& rows, const std::vector<ListPart>& parts,
+                std::size_t number) {
+    const ListPart& part = parts[number];
+    if (part.size() == 1) return write_picture_row(sheet, rows, part.first);
+    sheet.row(part.first, rows.name_of(part), pictures_in_words(part.size(), sheet.language),
+              "Press Select for these pictures.",
+              sheet.language.text("screen", "{0} of {1}",
+                                  {std::to_string(number + 1), std::to_string(parts.size())}));
+}
+
+template <PictureSource source>
+void write_list(VisitSheet& sheet) {
+    const PictureRows rows = rows_of(sheet, source);
+    const ListPart part = part_of(sheet.visitor().path.back(), rows);
+    const std::vector<ListPart> parts = rows.parts(part);
+    for (std::size_t i = 0; i < parts.size(); ++i) write_part(sheet, rows, parts, i);
+    if (!parts.empty()) return;
+    for (std::size_t row = part.first; row < part.end; ++row) write_picture_row(sheet, rows, row);
+}
+
+/// A part is called as its row was.
+void write_name_of_part(VisitSheet& sheet, PictureSource source) {
+    const PictureRows rows = rows_of(sheet, source);
+    const ListPart part = part_of(sheet.visitor().path.back(), rows);
+    sheet.screen.title = rows.name_of(part);
+    sheet.told(pictures_in_words(part.size(), sheet.language));
+}
+
+bool shows_part(const VisitSheet& sheet) {
+    return sheet.visitor().path.back().end > 0;
+}
+
+void write_gallery(VisitSheet& sheet) {
+    if (shows_part(sheet)) write_name_of_part(sheet, PictureSource::gallery);
+}
+
+void write_stick(VisitSheet& sheet) {
+    const Visitor& visitor = sheet.visitor();
+    if (shows_part(sheet)) return write_name_of_part(sheet, PictureSource::stick);
+    if (!visitor.has_stick) {
+        sheet.sentence("There is no USB stick.");
+        return sheet.sentence("Put one into the USB slot; nothing is written to it.");
+    }
+    if (!visitor.stick_list) return sheet.sentence("Your USB stick is being read.");
+    const std::size_t count = visitor.stick_list->names.size();
+    if (count == 0) sheet.sentence("There is nothing to feel on it.");
+    sheet.told(words_of(visitor.stick_list->rest, count, sheet.language));
+}
+
+// What is chosen.
+
+void open_row(VisitWork& work, PictureSource source, const PictureRows& rows, std::size_t row) {
+    open_picture(work, source, rows.number_at(row), rows.name_at(row));
+}
+
+void open_part(VisitWork& work, VisitScreen list, const ListPart& part) {
+    enter(work, list, static_cast<int>(part.first));
+    work.visitor.path.back().end = static_cast<int>(part.end);
+}
+
+/// `row`: of a picture, or the first of a part.
+template <PictureSource source>
+void take_row(VisitWork& work, std::size_t row, const std::string& /*name*/) {
+    const PictureRows rows = rows_of(work, source);
+    const std::vector<ListPart> parts = rows.parts(part_of(work.visitor.path.back(), rows));
+    const auto part = std::ranges::find(parts, row, &ListPart::first);
+    if (part == parts.end() || part->size() == 1) return open_row(work, source, rows, row);
+    open_part(work, list_of(source), *part);
+    say_screen(work);
+}
+
+// From a picture to the one beside it in its list.
+
+/// The row beside that of the picture that is felt.
+std::optional<std::size_t> row_beside(const LoadPicture& felt, const PictureRows& rows,
+                                      int change) {
+    const bool is_of_list =
+        felt.source == PictureSource::gallery || felt.source == PictureSource::stick;
+    const auto row = is_of_list ? rows.row_of(felt.index) : std::nullopt;
+    if (!row || (change < 0 ? *row == 0 : *row + 1 == rows.size())) return std::nullopt;
+    return change < 0 ? *row - 1 : *row + 1;
+}
+
+template <int change>
+bool has_picture_beside(const VisitSheet& sheet) {
+    const LoadPicture& felt = sheet.felt().order;
+    return row_beside(felt, rows_of(sheet, felt.source), change).has_value();
+}
+
+template <int change>
+std::string picture_beside(const VisitSheet& sheet) {
+    const LoadPicture& felt = sheet.felt().order;
+    const PictureRows rows = rows_of(sheet, felt.source);
+    return rows.name_at(*row_beside(felt, rows, change));
+}
+
+/// The item keeps the focus, so that one key goes through the list.
+template <int change>
+void open_picture_beside(VisitWork& work) {
+    const LoadPicture felt = work.visitor.felt->order;
+    const PictureRows rows = rows_of(work, felt.source);
+    const auto row = row_beside(felt, rows, change);
+    if (!row) return;
+    open_row(work, felt.source, rows, *row);
+    work.visitor.loading->focus = change > 0 ? VisitItem::next_picture : VisitItem::picture_before;
+}
+
+using S = VisitScreen;
+using I = VisitItem;
+
+constexpr auto list_screens = std::to_array<VisitScreenRow>({
+    {.screen = S::gallery, .title = "Gallery", .write = write_gallery, .back_item = "Back"},
+    {.screen = S::stick, .title = "Your USB stick", .write = write_stick, .back_item = "Back"},
+});
+
+constexpr auto list_items = std::to_array<VisitItemRow>({
+    {S::gallery, I::entry, "",
+     VisitList{write_list<PictureSource::gallery>, take_row<PictureSource::gallery>}},
+    {S::stick, I::entry, "",
+     VisitList{write_list<PictureSource::stick>, take_row<PictureSource::stick>}},
+    {S::picture, I::next_picture, "Next picture", open_picture_beside<+1>, nullptr,
+     has_picture_beside<+1>, picture_beside<+1>},
+    {S::picture, I::picture_before, "Picture before", open_picture_beside<-1>, nullptr,
+     has_picture_beside<-1>, picture_beside<-1>},
+});
+
+}  // namespace
+
+VisitMenu list_menu() {
+    return {list_screens, list_items};
+}
+
+bool has_gallery(const VisitWorld& world) {
+    return !world.gallery.empty();
+}
+
+void return_to_row(VisitWork& work, PictureSource source, std::size_t number) {
+    go_to(work, list_of(source));
+    const PictureRows rows = rows_of(work, source);
+    const auto row = rows.row_of(number);
+    while (row) {
+        Standing& open = work.visitor.path.back();
+        const ListPart part = part_of(open, rows);
+        const std::vector<ListPart> parts = rows.parts(part);
+        const auto inner =
+            std::ranges::find_if(parts, [&row](const ListPart& each) { return *row < each.end; });
+        open.focus = inner == parts.end() ? *row - part.first
+                                          : static_cast<std::size_t>(inner - parts.begin());
+        if (inner == parts.end() || inner->size() == 1) return;
+        open_part(work, list_of(source), *inner);
+    }
+}
+
+void leave_parts_of_stick(Visitor& visitor) {
+    std::erase_if(visitor.path, [](const Standing& each) {
+        return each.screen == VisitScreen::stick && each.end > 0;
+    });
+    for (Standing& each : visitor.path)
+        if (each.screen == VisitScreen::stick) each.focus = 0;
+}
+
+}  // namespace touchline
