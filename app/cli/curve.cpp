@@ -4,7 +4,7 @@
 #include "app/documents/decode/map_svg.h"
 #include "app/documents/trace/json.h"
 #include "haptics/collision/scene.h"
-#include "haptics/curve/level_error.h"
+#include "haptics/curve/curve_set.h"
 #include "haptics/pantograph/profile.h"
 
 #include <cmath>

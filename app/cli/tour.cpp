@@ -1,6 +1,5 @@
 #include "app/cli/tour.h"
 
-#include "app/cli/explorer.h"
 #include "app/cli/load.h"
 #include "app/documents/decode/png_writer.h"
 #include "app/force/servo/scene_order.h"

@@ -3,7 +3,7 @@
 #include "app/documents/sticks/spoken_name.h"
 #include "app/visit/told_lines.h"
 #include "audio-cues/cues/cue_table.h"
-#include "audio-cues/words/words_of.h"
+#include "audio-cues/words/language.h"
 #include "config/types/utf8.h"
 
 #include <algorithm>

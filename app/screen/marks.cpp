@@ -1,6 +1,6 @@
 #include "app/screen/marks.h"
 
-#include "haptics/probe/held_shapes.h"
+#include "haptics/probe/probe_shape.h"
 
 #include <algorithm>
 #include <cmath>

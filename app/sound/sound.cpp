@@ -3,7 +3,7 @@
 #include "app/isolation/process/places.h"
 #include "app/sound/headphone_switch.h"
 #include "audio-cues/cues/guidance.h"
-#include "audio-cues/output/sound_device.h"
+#include "audio-cues/output/sound_output.h"
 #include "audio-cues/synth/voices.h"
 #include "config/types/steady_clock.h"
 

@@ -8,7 +8,7 @@
 #include "app/sound/sound_loop.h"
 #include "app/sound/speak/speaker.h"
 #include "app/sound/visitor_sound.h"
-#include "audio-cues/cues/cue_step.h"
+#include "audio-cues/cues/cue_table.h"
 
 #include <optional>
 #include <string>

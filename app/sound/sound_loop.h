@@ -3,7 +3,7 @@
 // for it. Threads: constructed, read and ended by one thread; it runs one of its own.
 #pragma once
 
-#include "audio-cues/cues/cue_step.h"
+#include "audio-cues/cues/cue_table.h"
 #include "audio-cues/output/outputs.h"
 #include "audio-cues/output/sound_output.h"
 #include "audio-cues/synth/mixer.h"

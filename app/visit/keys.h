@@ -3,7 +3,7 @@
 // Threads: constant data and pure functions.
 #pragma once
 
-#include "config/types/key.h"
+#include "config/settings/keys.h"
 
 #include <cstdint>
 #include <optional>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "audio-cues/words/language.h"
-#include "config/types/key.h"
+#include "config/settings/keys.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "app/visit/told_lines.h"
 
-#include "haptics/safety/safety_state.h"
+#include "haptics/safety/force_chain.h"
 
 #include <algorithm>
 #include <array>

@@ -280,10 +280,6 @@ VisitMenu list_menu() {
     return {list_screens, list_items};
 }
 
-bool has_gallery(const VisitWorld& world) {
-    return !world.gallery.empty();
-}
-
 void return_to_row(VisitWork& work, PictureSource source, std::size_t number) {
     go_to(work, list_of(source));
     const PictureRows rows = rows_of(work, source);

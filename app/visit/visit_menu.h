@@ -144,6 +144,7 @@ void show(VisitWork& work, VisitScreen screen, int about = 0, std::size_t focus 
 /// Writes each key and its use, to be read (visit_keys.cpp).
 void write_keys(VisitSheet& sheet);
 
+[[nodiscard]] bool has_gallery(const VisitWorld& world);
 
 /// The title of what is felt, or what stands for it.
 [[nodiscard]] std::string picture_title(const VisitSheet& sheet);

@@ -1,7 +1,7 @@
 // How the picture is opened, opened again in another way, and told.
 #include "app/visit/page_place.h"
 #include "app/visit/visit_work.h"
-#include "audio-cues/words/words_of.h"
+#include "audio-cues/words/language.h"
 
 #include <algorithm>
 #include <utility>

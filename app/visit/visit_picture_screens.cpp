@@ -2,7 +2,7 @@
 #include "app/visit/page_place.h"
 #include "app/visit/status.h"
 #include "app/visit/visit_menu.h"
-#include "audio-cues/words/words_of.h"
+#include "audio-cues/words/language.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 #include "audio-cues/cues/cue_table.h"
 
+#include <algorithm>
 #include <array>
-
-#include <fmt/format.h>
+#include <cmath>
 
 namespace touchline {
 namespace {
@@ -77,14 +77,15 @@ constexpr std::array<EventRow, screen_event_count> screens{{
     {"a stick comes, or words are found", Cue::label},
 }};
 
-std::string rows_as_markdown(std::span<const EventRow> rows) {
-    std::string text;
-    for (const EventRow& row : rows) {
-        text += fmt::format("| {} | {}{} |\n", row.event,
-                            row.cue ? row_of(*row.cue).name : "finer, coarser",
-                            row.is_alert ? ", always" : "");
-    }
-    return text;
+/// Decides whether `cue` sounds at `at.time_s`, and remembers it.
+CueStep sounded(CueState state, const CueAt& at) {
+    if (state.amount == CueAmount::none && !at.is_alert) return {state, std::nullopt};
+    double& last_s = state.last_s[static_cast<std::size_t>(at.cue)];
+    // A restarted clock is before the last time; then the cue sounds.
+    const double since_s = at.time_s - last_s;
+    if (since_s >= 0.0 && since_s < row_of(at.cue).apart_s) return {state, std::nullopt};
+    last_s = at.time_s;
+    return {state, at};
 }
 
 }  // namespace
@@ -105,15 +106,35 @@ std::span<const EventRow> screen_rows() {
     return screens;
 }
 
-std::string cues_as_markdown() {
-    std::string text = "| what happens | sound |\n|---|---|\n";
-    text += rows_as_markdown(contacts) + rows_as_markdown(screens);
-    text += "\n| sound | like | ms |\n|---|---|---|\n";
-    for (const CueRow& row : cues) {
-        text += fmt::format("| {} | {} | {:.0f} |\n", row.name, row.sound,
-                            1000.0 * length_s(row.earcon));
+double pan_of(Position place_W, const CueArea& area) {
+    const double pan = place_W.x / area.half_width_m;
+    return std::isfinite(pan) ? std::clamp(pan, -1.0, 1.0) : 0.0;
+}
+
+CueStep cue_step(const CueState& state, const ContactEvent& event) {
+    const auto kind = static_cast<std::size_t>(event.kind);
+    if (kind >= contact_rows().size()) return {state, std::nullopt};
+    std::optional<Cue> cue = contact_rows()[kind].cue;
+    CueState next = state;
+    if (event.kind == ContactEventKind::level_changed) {
+        if (event.level < state.level) cue = Cue::finer;
+        if (event.level > state.level) cue = Cue::coarser;
+        next.level = event.level;
     }
-    return text;
+    if (!cue) return {next, std::nullopt};
+    return sounded(next, {*cue, event.time_s, pan_of(event.place_W, state.area), false});
+}
+
+CueStep cue_step(const CueState& state, ScreenEvent event, double time_s) {
+    const auto kind = static_cast<std::size_t>(event);
+    if (kind >= screen_rows().size()) return {state, std::nullopt};
+    const EventRow& row = screen_rows()[kind];
+    return sounded(state, {*row.cue, time_s, 0.0, row.is_alert});
+}
+
+MixerCommand sound_of(const CueAt& cue, FrameTime frame) {
+    const CueRow& row = row_of(cue.cue);
+    return {frame, PlayEarcon{row.earcon, row.level, cue.pan, cue.is_alert}};
 }
 
 }  // namespace touchline

@@ -1,17 +1,50 @@
 // What sounds: waves from a table, short sounds of a few notes, and a continuous sound that follows
-// the hand (position tone, distance, sonar). Threads: values; an Oscillator and the voices are the
-// rendering thread's.
+// the hand (position tone, distance, sonar); all placed left and right by level and by time.
+// Threads: values; an Oscillator, a PannedSource and the voices are the rendering thread's.
 #pragma once
 
 #include "audio-cues/synth/frames.h"
 #include "audio-cues/synth/gain.h"
-#include "audio-cues/synth/pan.h"
 
 #include <array>
 #include <cstdint>
 #include <span>
 
 namespace touchline {
+
+/// The limit lets a listener with one good ear still hear the other side.
+inline constexpr double pan_limit_dB = 20.0;
+
+/// The delay of the far ear.
+inline constexpr double far_ear_delay_s = 0.0006;
+
+struct Ears {
+    float left_gain = 0.0F;  // squares sum to 1
+    float right_gain = 0.0F;
+    float left_delay_frames = 0.0F;  // one of the two is 0
+    float right_delay_frames = 0.0F;
+};
+
+/// `pan`: -1 left ... 1 right, clamped; NaN is the middle. Constant power; the difference in dB
+/// reaches pan_limit_dB at the sides. In the middle both ears are the same, bit for bit.
+[[nodiscard]] Ears ears_of(double pan);
+
+/// A mono sound at a place that may move. It sounds far_ear_delay_s longer than it is fed.
+class PannedSource {
+  public:
+    /// Adds `mono` (at most block_frames) to `out`, of the same length, and moves to `pan`
+    /// meanwhile; the first call begins there. O(frames).
+    void add(std::span<const float> mono, double pan, std::span<StereoFrame> out);
+
+    static constexpr int tail_frames = 32;
+
+  private:
+    [[nodiscard]] float delayed(int frame, float delay_frames) const;
+
+    std::array<float, tail_frames + block_frames> heard_{};  // the tail of the last call first
+    Ears ears_{};
+    bool is_placed_ = false;
+};
 
 /// pure: a sine. hollow: odd harmonics, like a clarinet. bright: octave and twelfth, like a bell.
 enum class Timbre : std::uint8_t { pure, hollow, bright };

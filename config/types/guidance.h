@@ -12,7 +12,7 @@ namespace touchline {
 /// What the handle can say to a visitor who neither sees nor hears: short shakes that differ.
 /// focus: another item. chosen: it was taken. error: that is not possible. edge: the end of a list
 /// or of the drawing area. time_out: the session ends soon. How each one feels:
-/// haptics/guidance/pattern.h.
+/// haptics/guidance/guidance.h.
 enum class HandlePattern : std::uint8_t { none, focus, chosen, error, edge, time_out };
 
 inline constexpr std::size_t handle_pattern_count = 6;

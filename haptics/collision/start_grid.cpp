@@ -1,4 +1,4 @@
-#include "haptics/collision/start_grid.h"
+#include "haptics/collision/collision_tree.h"
 
 #include <algorithm>
 #include <cmath>

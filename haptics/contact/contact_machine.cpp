@@ -1,7 +1,6 @@
 #include "haptics/contact/contact_machine.h"
 
 #include "haptics/contact/contact_step.h"
-#include "haptics/contact/wall_motion.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,6 @@
 
 #include "config/types/steady_clock.h"
 #include "haptics/collision/touch.h"
-#include "haptics/contact/vertex.h"
 
 #include <algorithm>
 #include <cmath>

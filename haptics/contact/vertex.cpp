@@ -1,7 +1,5 @@
 // The arithmetic of vertices, and state 2 of a servo step: at the end of an edge, round a vertex,
 // or held by two contacts.
-#include "haptics/contact/vertex.h"
-
 #include "haptics/contact/contact_step.h"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
-#include "haptics/contact/wall_motion.h"
-
+#include "haptics/contact/contact_machine.h"
 #include "haptics/contact/contact_step.h"
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 #include "haptics/curve/curve_set.h"
 
-#include "haptics/curve/pins.h"
 #include "haptics/curve/spacing.h"
 #include "haptics/curve/wavelet.h"
 

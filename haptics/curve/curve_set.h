@@ -1,5 +1,6 @@
 // All outlines of a map as wavelet multiresolution curves: cut at their pins into pieces, with one
-// polyline per level for each piece. Threads: immutable once built; any thread may read.
+// polyline per level for each piece. Threads: immutable once built; any thread may read. The
+// functions are pure.
 #pragma once
 
 #include "config/types/result.h"
@@ -9,12 +10,29 @@
 
 #include <algorithm>
 #include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace touchline {
+
+// Pins are the vertices that coincide at every level, so that corners stay sharp and linked pieces
+// never come apart. They are found once, when a map is built.
+
+struct PinRule {
+    double reach_m = 0.002;  // a turn is measured between chords of this length on both sides
+    double turn_rad = 0.785398163397448;  // 45 degrees: weaker corners are not pinned
+    double apart_m = 0.004;               // least distance along the outline between two corners
+    double noise_m = 0.0;  // standard deviation per coordinate, taken out before turns are measured
+};
+
+/// Returns the pins of every outline of a map, as ascending vertex indices: the ends of open
+/// outlines, vertices where the end of another outline lies (junctions), and corners, strongest
+/// first. A closed outline may have none. O(N log N).
+[[nodiscard]] std::vector<std::vector<std::size_t>> find_pins(const std::vector<Outline>& outlines,
+                                                              const PinRule& rule);
 
 /// A wanted pin: the vertex of an outline that is nearest to a place.
 struct PinPlace {
@@ -211,5 +229,30 @@ class CurveSet {
 
     friend class CurveSetBuilder;
 };
+
+// How far a level lies from level 0, and whether a finger can tell.
+
+struct LevelError {
+    double rms_m = 0.0;        // of the level-0 points from the level's polyline
+    double hausdorff_m = 0.0;  // largest distance between the two, either way
+    double slope_rms_rad =
+        0.0;  // angle between the edges of level 0 and the segment that stands for them,
+    double slope_max_rad = 0.0;  // weighted by length; what a finger notices first
+    std::size_t points = 0;      // at this level
+};
+
+/// Measures all pieces of one outline rendered at a whole `level` (each at most at its coarsest).
+/// O(N).
+[[nodiscard]] LevelError level_error(const CurveSet& curves, int outline, int level);
+
+/// Returns the least height of a bump that a finger detects, by the bump's width (metres): 8 mm at
+/// 240 mm, falling with the power 1.3 (Louw, Kappers and Koenderink 2000).
+[[nodiscard]] double detection_threshold_m(double width_m);
+
+/// Returns l_percept: the coarsest level up to which no piece moves by more than half the threshold
+/// for the level's shortest wavelength, 4 h0 2^l, nor turns an edge of level 0 by more than 5
+/// degrees, half of what a hand with a tool can tell. A piece at its coarsest level does not change
+/// any more. O(N) a level; ends at the first stretch that can be told from level 0.
+[[nodiscard]] int percept_level(const CurveSet& curves);
 
 }  // namespace touchline

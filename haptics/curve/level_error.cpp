@@ -1,4 +1,4 @@
-#include "haptics/curve/level_error.h"
+#include "haptics/curve/curve_set.h"
 
 #include <algorithm>
 #include <cmath>

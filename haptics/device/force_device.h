@@ -1,6 +1,7 @@
 // The one interface to a force-feedback pantograph, real or simulated.
 #pragma once
 
+#include "config/types/pinned.h"
 #include "config/types/vec2.h"
 
 #include <optional>
@@ -9,10 +10,8 @@ namespace touchline {
 
 /// Threads: one at a time, the servo's while it runs. No call allocates, locks or logs. Every call
 /// gives up rather than wait longer than a servo period.
-class ForceDevice {
+class ForceDevice : public Interface {
   public:
-    virtual ~ForceDevice() = default;
-
     /// Returns the joint angles in D, read at now_s (servo time, never going back), at most 4.5 ms
     /// old. Returns nothing if the device does not answer.
     [[nodiscard]] virtual std::optional<JointAngles> read_angles(double now_s) = 0;
@@ -29,13 +28,6 @@ class ForceDevice {
     /// to hold zero, which with a real one is a call or more later. For other torques, returns
     /// false if the device did not take them.
     [[nodiscard]] virtual bool write_torques(JointTorques torques) = 0;
-
-  protected:
-    ForceDevice() = default;
-    ForceDevice(const ForceDevice&) = default;
-    ForceDevice(ForceDevice&&) = default;
-    ForceDevice& operator=(const ForceDevice&) = default;
-    ForceDevice& operator=(ForceDevice&&) = default;
 };
 
 }  // namespace touchline

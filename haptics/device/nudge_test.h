@@ -7,7 +7,7 @@
 
 #include "config/types/calibration.h"
 #include "config/types/vec2.h"
-#include "haptics/device/stillness.h"
+#include "haptics/device/homing.h"
 
 #include <array>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "haptics/device/resync.h"
+#include "haptics/device/pantograph_board.h"
 
 #include <array>
 #include <cstddef>

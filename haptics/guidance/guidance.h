@@ -1,7 +1,8 @@
 // Leads the hand by the handle: along the outlines, to a place, or to the nearest line. The force
 // pulls towards a point that goes ahead and waits for the hand; it lets go within 50 ms. The frame
 // of the drawing area pushes the hand back beyond the edge, so that there is always a place to
-// begin from. Threads: one, the servo's. Plain values; no allocation, lock, clock or log.
+// begin from. The shakes by which the handle speaks are a table with a player. Threads: one, the
+// servo's. Plain values; no allocation, lock, clock or log.
 #pragma once
 
 #include "config/types/guidance.h"
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <span>
 
 namespace touchline {
 
@@ -184,6 +186,51 @@ class Guidance {
     double pause_s_ = 0.0;  // left
     double rate_ = 0.0;     // of the point's own time, 0 ... 1: it waits for the hand
     double gain_ = 0.0;     // of the force
+};
+
+/// Pulses of a force that swings to and fro along a line: whole swings of a cosine under a bell, so
+/// that neither its sum nor its moment in time pushes the hand anywhere.
+struct PatternRow {
+    HandlePattern pattern = HandlePattern::none;
+    int pulses = 0;
+    Direction direction;
+    double frequency_Hz = 0.0;
+    double peak_N = 0.0;  // <= 1
+    int swings = 0;       // in a pulse, >= 2
+    double gap_s = 0.0;   // after each pulse
+};
+
+/// One row for every pattern except none. Any two differ in at least two of: pulses, direction (by
+/// 45 degrees and more), frequency (by half and more).
+[[nodiscard]] std::span<const PatternRow> pattern_rows();
+
+/// Returns its force at t_s since it began; zero before and after. O(1).
+[[nodiscard]] Force force_at(const PatternRow& row, double t_s);
+
+[[nodiscard]] double duration_s(const PatternRow& row);
+
+/// Plays one pattern at a time. A new pattern replaces the playing one, which ends in 20 ms. A
+/// pattern asked for while force is not live is left out: late, it would mean something else.
+class PatternPlayer {
+  public:
+    /// Advances one tick of dt_s > 0.
+    [[nodiscard]] Force step(const PatternCommand& command, bool is_live, double dt_s);
+
+    /// The serial of the last command that was begun or left out.
+    [[nodiscard]] std::uint32_t serial() const { return serial_; }
+
+    /// Whether the playing pattern is in the table, for a copy from elsewhere.
+    [[nodiscard]] bool is_sound() const;
+
+  private:
+    bool is_first_ = true;
+    std::uint32_t known_ = 0;  // the last one received
+    std::uint32_t serial_ = 0;
+    HandlePattern wanted_ = HandlePattern::none;  // after the one that plays
+    HandlePattern playing_ = HandlePattern::none;
+    bool is_ending_ = false;
+    double t_s_ = 0.0;
+    double gain_ = 0.0;
 };
 
 }  // namespace touchline

@@ -414,4 +414,25 @@ bool ProbeProxy::try_level(double level, const ProbePose& handle, const Springs&
     return true;
 }
 
+ContactReport contact_of(const ProbeReport& report, const CurveSet& curves) {
+    ContactReport contact;
+    contact.force = report.force;
+    contact.stored_J = report.stored_J;
+    contact.p_WP = report.pose.place();
+    contact.state = report.state;
+    contact.level = report.level;
+    contact.transitions = report.transitions;
+    contact.carried_m = report.carried_m;
+    contact.boxes = report.boxes;
+    contact.clear = report.clear;
+    if (report.contact_count == 0) return contact;
+    const ProbeContact& first = report.contacts[0];
+    contact.piece = first.segment.piece;
+    contact.outline = curves.piece(contact.piece).outline;
+    contact.parameter =
+        curves.outline_parameter(contact.piece, report.level, first.segment.index, first.parameter);
+    contact.side = first.side;
+    return contact;
+}
+
 }  // namespace touchline

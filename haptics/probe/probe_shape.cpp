@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -10,6 +12,8 @@ namespace touchline {
 namespace {
 
 constexpr double largest_radius_m = 0.02;
+constexpr double disc_radius_m = 4e-3;
+constexpr double corner_radius_m = 5e-4;  // rounds a corner, so that it does not catch on a line's
 
 /// Returns a capsule whose chord points from the first point to the one furthest from it.
 Capsule capsule_of_edges(std::span<const Segment> edges) {
@@ -32,6 +36,12 @@ Capsule capsule_of_edges(std::span<const Segment> edges) {
     }
     return capsule_of({first, along<Position>(u, 1.0), at.along_low, at.along_high, at.across_low,
                        at.across_high});
+}
+
+ProbeShape rounded(const Outline& outline, Position held_at) {
+    std::vector<Segment> edges = probes::edges_of(outline);
+    for (Segment& edge : edges) edge = {edge.a - held_at, edge.b - held_at};
+    return *ProbeShape::build(std::move(edges), corner_radius_m);
 }
 
 }  // namespace
@@ -148,5 +158,21 @@ Outline key(double length_m) {
 }
 
 }  // namespace probes
+
+ProbeShape held_shape(HeldShape shape) {
+    switch (shape) {
+        case HeldShape::none:
+            break;
+        case HeldShape::disc:
+            return probes::disc(disc_radius_m);
+        case HeldShape::bar:
+            return rounded(probes::bar(0.018, 0.004), {});
+        case HeldShape::ell:
+            return rounded(probes::ell(0.014, 0.004), {0.004, 0.004});
+        case HeldShape::key:
+            return rounded(probes::key(0.022), {0.007, 0.0});
+    }
+    return probes::disc(0.0);
+}
 
 }  // namespace touchline

@@ -4,6 +4,7 @@
 // pure functions; a shape is immutable once built, and any thread may read it.
 #pragma once
 
+#include "config/types/hand_state.h"
 #include "config/types/result.h"
 #include "config/types/tactile_map.h"
 #include "config/types/vec2.h"
@@ -216,5 +217,9 @@ namespace probes {
 [[nodiscard]] std::vector<Segment> edges_of(const Outline& outline);
 
 }  // namespace probes
+
+/// Builds a shape as large as a thumb, so that it can turn among the outlines of a picture; none
+/// gives a point. Allocates.
+[[nodiscard]] ProbeShape held_shape(HeldShape shape);
 
 }  // namespace touchline

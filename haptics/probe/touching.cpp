@@ -1,4 +1,4 @@
-#include "haptics/probe/touching.h"
+#include "haptics/probe/probe_proxy.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,6 @@
 #include "config/types/vec2.h"
 #include "haptics/contact/event_detector.h"
 #include "haptics/guidance/guidance.h"
-#include "haptics/guidance/pattern.h"
 #include "haptics/safety/stability_monitor.h"
 #include "haptics/servo/handle_motion.h"
 #include "haptics/servo/rendering.h"

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cmath>
 #include <cstddef>
+#include <ctime>
 #include <fstream>
 
 #include <pthread.h>
@@ -14,6 +16,8 @@
 
 namespace touchline {
 namespace {
+
+constexpr std::int64_t ns_per_s = 1'000'000'000;
 
 constexpr double late_s = 1e-3;
 constexpr double long_gap_s = 10e-3;
@@ -63,6 +67,27 @@ bool is_real_time_kernel() {
 }
 
 }  // namespace
+
+std::int64_t MonotonicClock::now_ns() {
+    timespec now{};
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return std::int64_t{now.tv_sec} * ns_per_s + std::int64_t{now.tv_nsec};
+}
+
+void MonotonicClock::sleep_until(std::int64_t t_ns) {
+    const timespec until{t_ns / ns_per_s, t_ns % ns_per_s};
+    while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr) == EINTR) {
+    }
+}
+
+void TickSchedule::finish(std::int64_t now_ns) {
+    due_ns_ += period_ns_;
+    const std::int64_t late_ns = now_ns - due_ns_;
+    if (late_ns < period_ns_) return;
+    const std::int64_t skipped = late_ns / period_ns_;
+    due_ns_ += skipped * period_ns_;
+    missed_ += static_cast<std::uint64_t>(skipped);
+}
 
 void LatenessHistogram::add(std::int64_t late_ns) {
     const std::int64_t bin = std::clamp(late_ns / 1000, std::int64_t{0}, std::int64_t{bins - 1});

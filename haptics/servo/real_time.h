@@ -1,6 +1,8 @@
-// How well a loop keeps time: what it asks of the system, how late its ticks begin, and the tier
-// that follows, by which a device with motors may push.
+// How well a loop keeps time: the clock and the schedule of its ticks, what it asks of the system,
+// how late its ticks begin, and the tier that follows, by which a device with motors may push.
 #pragma once
+
+#include "config/types/pinned.h"
 
 #include <array>
 #include <atomic>
@@ -11,6 +13,47 @@
 #include <sched.h>
 
 namespace touchline {
+
+/// Threads: each implementation says.
+class Clock : public Interface {
+  public:
+    /// Nanoseconds since a fixed moment; never goes back.
+    [[nodiscard]] virtual std::int64_t now_ns() = 0;
+    /// Returns at t_ns or later; at once if that has passed.
+    virtual void sleep_until(std::int64_t t_ns) = 0;
+};
+
+/// CLOCK_MONOTONIC. Threads: any.
+class MonotonicClock final : public Clock {
+  public:
+    [[nodiscard]] std::int64_t now_ns() override;
+    void sleep_until(std::int64_t t_ns) override;
+};
+
+/// Schedules ticks on an even grid. A tick that could not begin within its own period is skipped
+/// and counted, never made up for: a burst of late ticks would act on old positions.
+class TickSchedule {
+  public:
+    /// The first tick is due at start_ns. period_ns > 0.
+    TickSchedule(std::int64_t start_ns, std::int64_t period_ns)
+        : start_ns_(start_ns), period_ns_(period_ns), due_ns_(start_ns) {}
+
+    [[nodiscard]] std::int64_t due_ns() const { return due_ns_; }
+
+    /// When the tick is due, counted from the first tick.
+    [[nodiscard]] double due_s() const { return static_cast<double>(due_ns_ - start_ns_) * 1e-9; }
+
+    /// Ends the tick that was due; it is now_ns.
+    void finish(std::int64_t now_ns);
+
+    [[nodiscard]] std::uint64_t missed() const { return missed_; }
+
+  private:
+    std::int64_t start_ns_;
+    std::int64_t period_ns_;
+    std::int64_t due_ns_;
+    std::uint64_t missed_ = 0;
+};
 
 /// Bins of 1 us up to 10 ms; the last bin holds everything later. Threads: add() from one, the rest
 /// from any; lock-free, also between processes.

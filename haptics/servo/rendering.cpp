@@ -1,7 +1,5 @@
 #include "haptics/servo/rendering.h"
 
-#include "haptics/probe/held_shapes.h"
-
 #include <utility>
 
 namespace touchline {

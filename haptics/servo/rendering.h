@@ -9,7 +9,6 @@
 #include "haptics/pantograph/profile.h"
 #include "haptics/probe/probe_proxy.h"
 #include "haptics/probe/probe_shape.h"
-#include "haptics/resolution/cost_term.h"
 #include "haptics/resolution/level_rule.h"
 
 #include <vector>

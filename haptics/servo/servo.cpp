@@ -1,7 +1,7 @@
 #include "haptics/servo/servo.h"
 
+#include "haptics/servo/real_time.h"
 #include "haptics/servo/servo_loop.h"
-#include "haptics/servo/tick_clock.h"
 
 #include <atomic>
 #include <cmath>

@@ -5,12 +5,10 @@
 #include "haptics/device/force_device.h"
 #include "haptics/pantograph/profile.h"
 #include "haptics/servo/exchange.h"
-#include "haptics/servo/peer_watch.h"
 #include "haptics/servo/real_time.h"
 #include "haptics/servo/recorder.h"
 #include "haptics/servo/rendering.h"
 #include "haptics/servo/servo_step.h"
-#include "haptics/servo/tick_clock.h"
 
 #include <atomic>
 #include <cstdint>

@@ -7,7 +7,7 @@
 #include "config/types/result.h"
 #include "haptics/device/nudge_test.h"
 #include "haptics/device/pantograph_board.h"
-#include "haptics/servo/tick_clock.h"
+#include "haptics/servo/real_time.h"
 
 #include <functional>
 #include <optional>

@@ -6,7 +6,6 @@
 #include "app/isolation/process/child.h"
 #include "config/types/result.h"
 #include "haptics/servo/exchange.h"
-#include "haptics/servo/peer_watch.h"
 
 #include <algorithm>
 #include <optional>

@@ -7,7 +7,7 @@
 #include "config/types/steady_clock.h"
 #include "haptics/device/homing.h"
 #include "haptics/device/pantograph_board.h"
-#include "haptics/servo/tick_clock.h"
+#include "haptics/servo/real_time.h"
 
 #include <atomic>
 #include <cstdint>

@@ -1,5 +1,4 @@
-#include "app/cli/explorer.h"
-
+#include "app/cli/tour.h"
 #include "haptics/collision/scene.h"
 
 #include <cmath>

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "app/force/servo/servo_client.h"
-#include "haptics/device/hand.h"
 #include "haptics/device/simulated_pantograph.h"
 #include "haptics/servo/rendering.h"
 #include "haptics/servo/servo_step.h"

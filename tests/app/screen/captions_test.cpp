@@ -2,7 +2,7 @@
 #include "app/screen/captions.h"
 
 #include "app/screen/canvas.h"
-#include "audio-cues/words/words_of.h"
+#include "audio-cues/words/language.h"
 #include "tests/app/screen/probes.h"
 #include "tests/app/screen/sample_screens.h"
 

@@ -1,6 +1,6 @@
 // Writes every screen in every language as one picture, for viewing.
 #include "app/documents/decode/png_writer.h"
-#include "audio-cues/words/words_of.h"
+#include "audio-cues/words/language.h"
 #include "tests/app/screen/contact_sheet.h"
 #include "tests/app/screen/every_screen.h"
 #include "tests/app/screen/probes.h"

@@ -2,7 +2,7 @@
 #include "app/screen/sheet.h"
 
 #include "app/screen/captions.h"
-#include "audio-cues/words/words_of.h"
+#include "audio-cues/words/language.h"
 #include "tests/app/screen/every_screen.h"
 #include "tests/app/screen/probes.h"
 

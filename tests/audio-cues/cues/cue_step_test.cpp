@@ -1,4 +1,4 @@
-#include "audio-cues/cues/cue_step.h"
+#include "audio-cues/cues/cue_table.h"
 
 #include <cmath>
 

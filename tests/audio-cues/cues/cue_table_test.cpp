@@ -1,6 +1,5 @@
 #include "audio-cues/cues/cue_table.h"
 
-#include "audio-cues/cues/cue_step.h"
 #include "tests/audio-cues/spectrum.h"
 
 #include <fstream>
@@ -8,10 +7,32 @@
 #include <set>
 #include <string>
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 namespace touchline {
 namespace {
+
+std::string rows_as_markdown(std::span<const EventRow> rows) {
+    std::string text;
+    for (const EventRow& row : rows) {
+        text += fmt::format("| {} | {}{} |\n", row.event,
+                            row.cue ? row_of(*row.cue).name : "finer, coarser",
+                            row.is_alert ? ", always" : "");
+    }
+    return text;
+}
+
+std::string cues_as_markdown() {
+    std::string text = "| what happens | sound |\n|---|---|\n";
+    text += rows_as_markdown(contact_rows()) + rows_as_markdown(screen_rows());
+    text += "\n| sound | like | ms |\n|---|---|---|\n";
+    for (const CueRow& row : cue_table()) {
+        text += fmt::format("| {} | {} | {:.0f} |\n", row.name, row.sound,
+                            1000.0 * length_s(row.earcon));
+    }
+    return text;
+}
 
 TEST(CueTable, HasTwelveSoundsInTheirOrderOfAQuarterSecondAtMost) {
     ASSERT_LE(cue_table().size(), 12U);

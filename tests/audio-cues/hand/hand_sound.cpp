@@ -1,7 +1,7 @@
 #include "tests/audio-cues/hand/hand_sound.h"
 
 #include "app/force/servo/scene_order.h"
-#include "audio-cues/cues/cue_step.h"
+#include "audio-cues/cues/cue_table.h"
 #include "audio-cues/cues/guidance.h"
 #include "haptics/device/simulated_pantograph.h"
 #include "haptics/servo/servo_step.h"

@@ -1,4 +1,4 @@
-#include "audio-cues/output/sound_device.h"
+#include "audio-cues/output/sound_output.h"
 #include "audio-cues/synth/mixer.h"
 #include "tests/audio-cues/spectrum.h"
 

@@ -1,4 +1,4 @@
-#include "audio-cues/synth/command_queue.h"
+#include "audio-cues/synth/mixer.h"
 
 #include <memory>
 #include <thread>

@@ -1,6 +1,5 @@
-#include "audio-cues/synth/pan.h"
-
 #include "audio-cues/synth/gain.h"
+#include "audio-cues/synth/voices.h"
 #include "tests/audio-cues/spectrum.h"
 
 #include <cmath>

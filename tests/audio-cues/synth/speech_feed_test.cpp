@@ -1,4 +1,4 @@
-#include "audio-cues/synth/speech_feed.h"
+#include "audio-cues/synth/mixer.h"
 
 #include <array>
 #include <vector>

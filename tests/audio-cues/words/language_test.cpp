@@ -1,7 +1,5 @@
 #include "audio-cues/words/language.h"
 
-#include "audio-cues/words/words_of.h"
-
 #include <algorithm>
 #include <array>
 #include <clocale>

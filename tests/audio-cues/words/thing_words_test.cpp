@@ -1,4 +1,4 @@
-#include "audio-cues/words/words_of.h"
+#include "audio-cues/words/language.h"
 #include "config/types/thing_name.h"
 #include "tests/audio-cues/words/po_file.h"
 

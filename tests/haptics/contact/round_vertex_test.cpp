@@ -1,4 +1,4 @@
-#include "haptics/contact/vertex.h"
+#include "haptics/contact/contact_step.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,7 +1,5 @@
 #include "haptics/curve/curve_set.h"
 
-#include "haptics/curve/level_error.h"
-#include "haptics/curve/pins.h"
 #include "tests/haptics/scenes.h"
 
 #include <algorithm>

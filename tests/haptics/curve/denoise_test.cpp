@@ -1,5 +1,4 @@
 #include "haptics/curve/curve_set.h"
-#include "haptics/curve/pins.h"
 #include "haptics/curve/spacing.h"
 #include "haptics/curve/wavelet.h"
 #include "tests/haptics/scenes.h"

@@ -1,5 +1,5 @@
 // The perceptual floor against the thresholds of touch and the error of each level.
-#include "haptics/curve/level_error.h"
+#include "haptics/curve/curve_set.h"
 #include "tests/haptics/scenes.h"
 
 #include <cmath>

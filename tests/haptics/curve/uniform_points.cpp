@@ -1,6 +1,6 @@
 #include "tests/haptics/curve/uniform_points.h"
 
-#include "haptics/curve/pins.h"
+#include "haptics/curve/curve_set.h"
 #include "haptics/curve/segment.h"
 #include "haptics/curve/spacing.h"
 

@@ -1,4 +1,4 @@
-#include "haptics/device/hand.h"
+#include "haptics/device/simulated_pantograph.h"
 
 #include <limits>
 #include <thread>

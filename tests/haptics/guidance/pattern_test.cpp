@@ -1,5 +1,4 @@
-#include "haptics/guidance/pattern.h"
-
+#include "haptics/guidance/guidance.h"
 #include "tests/haptics/tick.h"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // The least move is allowed, and no allowed move ends nearer.
 
-#include "haptics/probe/touching.h"
+#include "haptics/probe/probe_proxy.h"
 #include "tests/haptics/collision/trials.h"
 
 #include <cmath>

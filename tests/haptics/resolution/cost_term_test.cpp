@@ -1,4 +1,4 @@
-#include "haptics/resolution/cost_term.h"
+#include "haptics/resolution/level_rule.h"
 
 #include <algorithm>
 #include <cmath>

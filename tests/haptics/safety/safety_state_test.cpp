@@ -1,7 +1,6 @@
 // Every state under every combination of the flags and faults of a tick.
 
-#include "haptics/safety/safety_state.h"
-
+#include "haptics/safety/force_chain.h"
 #include "tests/haptics/tick.h"
 
 #include <algorithm>

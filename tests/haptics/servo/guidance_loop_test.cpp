@@ -1,6 +1,6 @@
 // Guidance, patterns, frame and ceiling through the whole tick on the simulated pantograph.
 #include "haptics/device/simulated_pantograph.h"
-#include "haptics/guidance/pattern.h"
+#include "haptics/guidance/guidance.h"
 #include "tests/haptics/servo/step_bench.h"
 
 #include <algorithm>

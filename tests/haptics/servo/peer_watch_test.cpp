@@ -1,5 +1,4 @@
-#include "haptics/servo/peer_watch.h"
-
+#include "haptics/servo/exchange.h"
 #include "tests/haptics/tick.h"
 
 #include <cstdint>

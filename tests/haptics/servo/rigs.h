@@ -4,7 +4,7 @@
 #include "haptics/collision/scene.h"
 #include "haptics/device/force_device.h"
 #include "haptics/pantograph/profile.h"
-#include "haptics/servo/tick_clock.h"
+#include "haptics/servo/real_time.h"
 
 #include <cmath>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "haptics/servo/tick_clock.h"
+#include "haptics/servo/real_time.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

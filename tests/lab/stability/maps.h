@@ -3,7 +3,7 @@
 // Threads: pure functions; measure_all() uses all processors, with the same result.
 #pragma once
 
-#include "tests/lab/stability/controllers.h"
+#include "tests/lab/stability/wall_controllers.h"
 
 #include <cstdint>
 #include <optional>

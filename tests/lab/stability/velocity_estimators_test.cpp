@@ -1,7 +1,7 @@
 // Noise and lag of the velocity estimates against the reference.
 
-#include "tests/lab/stability/controllers.h"
 #include "tests/lab/stability/linear_loop.h"
+#include "tests/lab/stability/wall_controllers.h"
 #include "tests/lab/stability/wall_run.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // What loops do in time, against the reference: growth and decay, limit cycles, hard impacts.
 #include "tests/lab/stability/wall_run.h"
 
-#include "tests/lab/stability/controllers.h"
 #include "tests/lab/stability/limits.h"
 #include "tests/lab/stability/linear_loop.h"
+#include "tests/lab/stability/wall_controllers.h"
 
 #include <algorithm>
 #include <cmath>

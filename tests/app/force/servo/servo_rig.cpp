@@ -12,7 +12,7 @@
 #include "app/force/servo/servo_program.h"
 #include "app/force/servo/usb_device.h"
 #include "app/isolation/process/child.h"
-#include "haptics/servo/tick_clock.h"
+#include "haptics/servo/real_time.h"
 #include "tests/app/force/servo/fake_board.h"
 #include "tests/app/force/servo/felt_line.h"
 #include "tests/app/force/servo/mapped_file.h"

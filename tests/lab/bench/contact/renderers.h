@@ -2,6 +2,7 @@
 // of the benchmark, and penalty forces. Threads: one.
 #pragma once
 
+#include "config/types/pinned.h"
 #include "haptics/contact/contact_machine.h"
 #include "tests/lab/bench/collision/brute_force.h"
 #include "tests/lab/bench/collision/crossing.h"
@@ -17,18 +18,10 @@ struct Felt {
     Position place;  // the proxy, or the hand for penalty forces, which have none
 };
 
-class Renderer {
+class Renderer : public Interface {
   public:
-    virtual ~Renderer() = default;
     virtual void start(Position hand) = 0;
     [[nodiscard]] virtual Felt step(Position hand) = 0;
-
-  protected:
-    Renderer() = default;
-    Renderer(const Renderer&) = default;
-    Renderer(Renderer&&) = default;
-    Renderer& operator=(const Renderer&) = default;
-    Renderer& operator=(Renderer&&) = default;
 };
 
 /// Runs at level 0; radius 0 is a point.

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/force/servo/running_servo.h"
-#include "audio-cues/cues/cue_step.h"
+#include "audio-cues/cues/cue_table.h"
 #include "tests/machines/sim/kiosk/checkers/force.h"
 #include "tests/machines/sim/kiosk/checkers/safety.h"
 #include "tests/machines/sim/kiosk/checkers/session.h"

@@ -1,6 +1,6 @@
 // What checkers see of the site, and its hash.
 #include "haptics/pantograph/kinematics.h"
-#include "haptics/safety/safety_state.h"
+#include "haptics/safety/force_chain.h"
 #include "tests/machines/sim/kiosk/sim_house.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // the words say. Threads: one.
 #pragma once
 
-#include "haptics/device/hand.h"
+#include "haptics/device/simulated_pantograph.h"
 #include "tests/app/force/device/person.h"
 
 #include <cmath>

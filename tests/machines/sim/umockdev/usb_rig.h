@@ -3,7 +3,7 @@
 
 #include "config/types/pinned.h"
 #include "haptics/device/pantograph_board.h"
-#include "haptics/servo/tick_clock.h"
+#include "haptics/servo/real_time.h"
 
 #include <cstdint>
 #include <filesystem>

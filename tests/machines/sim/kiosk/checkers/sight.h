@@ -3,7 +3,6 @@
 #pragma once
 
 #include "app/kiosk/kiosk.h"
-#include "haptics/device/hand.h"
 #include "haptics/device/simulated_pantograph.h"
 #include "haptics/safety/force_chain.h"
 #include "haptics/servo/recorder.h"

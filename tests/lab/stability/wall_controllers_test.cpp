@@ -1,7 +1,7 @@
 // How the methods fail, against the reference: the largest stiffness that comes to rest after an
 // impact, and what stored energy costs the observer.
 
-#include "tests/lab/stability/controllers.h"
+#include "tests/lab/stability/wall_controllers.h"
 
 #include "tests/lab/stability/wall_run.h"
 

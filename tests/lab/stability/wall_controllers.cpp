@@ -1,4 +1,4 @@
-#include "tests/lab/stability/controllers.h"
+#include "tests/lab/stability/wall_controllers.h"
 
 #include "tests/lab/stability/limits.h"
 #include "tests/lab/stability/linear_loop.h"
