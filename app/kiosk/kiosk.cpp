@@ -92,6 +92,7 @@ Kiosk::Kiosk(KioskParts parts)
       operator_(std::move(parts.operator_session)),
       keys_{std::move(parts.keys), KeyFilter(settings_.double_strike_s), {}, parts.are_keys_free},
       hours_(std::move(parts.minute_of_day)),
+      today_(std::move(parts.today)),
       reading_language_(std::move(parts.reading_language)) {
     device_facts_.hand_words = std::move(parts.hand_words);
     device_facts_.hand_name = std::move(parts.hand_name);
@@ -217,7 +218,7 @@ void Kiosk::follow_loader() {
         if (!news->line.empty()) report(news->line);
         if (news->felt) handle_.servo().feel(*news->felt);
         if (news->felt && operator_ && !news->is_better)
-            operator_->count_picture(picture_.order().source);
+            operator_->count_picture(picture_.order().source, today());
         apply(news->event);
     }
     if (const auto things = picture_.take_things()) {
