@@ -102,6 +102,7 @@ Kiosk::Kiosk(KioskParts parts)
             0.0,
             parts.are_keys_free},
       hours_(std::move(parts.minute_of_day)),
+      today_(std::move(parts.today)),
       reading_language_(std::move(parts.reading_language)) {
     device_facts_.hand_words = std::move(parts.hand_words);
     device_facts_.hand_name = std::move(parts.hand_name);
@@ -232,7 +233,7 @@ void Kiosk::follow_loader() {
         if (!news->line.empty()) report(news->line);
         if (news->felt) handle_.servo().feel(*news->felt);
         if (news->felt && operator_ && !news->is_better)
-            operator_->count_picture(picture_.order().source);
+            operator_->count_picture(picture_.order().source, today());
         apply(news->event);
     }
     if (const auto things = picture_.take_things()) {

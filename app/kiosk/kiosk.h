@@ -25,6 +25,7 @@
 #include "haptics/pantograph/profile.h"
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -50,6 +51,7 @@ struct KioskParts {
     /// Anybody may use the operator's keys, as in a window on somebody's desktop.
     bool are_keys_free = false;
     std::function<int()> minute_of_day;  // 0 ... 1439, of the site's clock; none: always open
+    std::function<std::chrono::sys_days()> today;  // by that clock; none: all is of one day
     DeviceProfile profile;
     std::string hand_words;  // as LiveFacts::hand_words
     std::string hand_name;   // as LiveFacts::hand_name
@@ -185,6 +187,8 @@ class Kiosk : private Pinned {
     [[nodiscard]] std::vector<std::string> live_words() const;
     [[nodiscard]] std::string staffs_words() const;
     [[nodiscard]] bool is_handle_live() const;
+    [[nodiscard]] bool is_force_faulty() const;
+    [[nodiscard]] std::chrono::sys_days today() const;
     [[nodiscard]] KioskHealth health() const;
     [[nodiscard]] FeltBounds felt_bounds() const;
 
@@ -201,10 +205,12 @@ class Kiosk : private Pinned {
     std::string operator_caption_;
     KioskKeys keys_;
     SiteHours hours_;
+    std::function<std::chrono::sys_days()> today_;
     VisitLength length_;
     Watched watched_;
     MissingParts missing_;
     HandleReady ready_;
+    FaultCount faults_;
     std::optional<double> started_s_;  // the time of the first step
     LiveFacts device_facts_;           // of them, what the hand is
     std::shared_ptr<std::atomic<WrittenLanguage>> reading_language_;

@@ -94,7 +94,7 @@ void Kiosk::tell_of_recording(const std::string& notice) {
 
 void Kiosk::count_visit() {
     const auto length_s = length_.step(is_visit_on(visit_), now_s_);
-    if (length_s && operator_) operator_->count_visit(*length_s / 60.0);
+    if (length_s && operator_) operator_->count_visit(*length_s / 60.0, today());
 }
 
 /// Opens, closes and softens the kiosk by the site's clock.
@@ -109,11 +109,14 @@ void Kiosk::follow_hours() {
 void Kiosk::follow_operator() {
     if (!operator_) return;
     handle_.follow_motor_test();
+    operator_->count_faults(faults_.step({is_force_faulty(), !sound_->problem().empty(),
+                                          watched_.is_in_trouble(TroubleKind::camera)}),
+                            today(), now_s_);
     ready_.step(!handle_.servo().device_words().empty(), now_s_);
     operator_->see({sound_->are_headphones_in().value_or(false), live_words(),
                     handle_.servo().kind(), felt_bounds(),
                     told_of_device(handle_.servo().device_words(), language(), ToldTo::staff),
-                    health()});
+                    today(), health()});
     if (sticks_) operator_->put_stick(sticks_->root());
     if (const auto line = operator_->poll_stick(language())) tell_operator(OrderAnswered{*line});
     tell_operator(MomentPassed{});
@@ -126,6 +129,15 @@ void Kiosk::run_test(TestStep step) {
     const bool has_passed = passes(step);
     const bool is_of_handle = step == TestStep::device || step == TestStep::motors;
     tell_operator(TestAnswered{step, has_passed, is_of_handle ? staffs_words() : ""});
+}
+
+std::chrono::sys_days Kiosk::today() const {
+    return today_ ? today_() : std::chrono::sys_days{};
+}
+
+/// Pressing the emergency stop is no fault.
+bool Kiosk::is_force_faulty() const {
+    return force().fault != Fault::none && force().fault != Fault::emergency_stop;
 }
 
 /// What is wrong with the handle or under way there; empty: nothing.

@@ -1,5 +1,6 @@
 #include "app/kiosk/operator_session.h"
 
+#include "app/documents/decode/files.h"
 #include "app/documents/models/networks.h"
 #include "app/documents/packs/pack.h"
 #include "app/documents/packs/pack_library.h"
@@ -51,7 +52,7 @@ NetworkHealth network_health() {
     health.known = networks().size();
     for (const Network& network : networks()) {
         const bool is_there = is_installed(network);
-        health.installed += is_there ? 1 : 0;
+        if (is_there) ++health.installed;
         health.lacks_shipped = health.lacks_shipped || (network.ships && !is_there);
     }
     return health;
@@ -177,9 +178,11 @@ struct OperatorSession::Office {
     }
 
     void operator()(const ZeroCounters&) const {
-        session.counters_ = {};
-        judge(keep_counters(session.files_.counters, session.counters_), no_counters);
+        session.days_.clear();
+        judge(keep_counters(session.files_.counters, session.days_), no_counters);
     }
+
+    void operator()(const ExportCounters&) const { answer(session.export_counters(language)); }
 
     void operator()(const BackUp&) const { answer(session.back_up(language)); }
 
@@ -219,9 +222,9 @@ OperatorSession::OperatorSession(OperatorFiles files, const std::vector<Language
         const auto sound = read_sound(files_.sound);
         if (sound) sound_ = *sound;
     }
-    auto counters = read_counters(files_.counters);
-    if (!counters) problems.push_back(counters.error().line);
-    counters_ = counters.value_or(Counters{});
+    const auto days = read_counters(files_.counters);
+    if (!days) problems.push_back(days.error().line);
+    days_ = days.value_or(CountedDays{});
     const auto wrong_pins = read_pin_tries(pin_tries_file(files_.pin));
     if (!wrong_pins) problems.push_back(wrong_pins.error().line);
     wrong_pins_ = wrong_pins.value_or(most_wrong_pins);
@@ -251,13 +254,15 @@ bool OperatorSession::read_again() {
 }
 
 OperatorWorld OperatorSession::world(const Language& language, double now_s) const {
-    const auto& [is_private, live, kind, bounds, device_words, health] = facts_;
-    OperatorWorld world{language, now_s,      has_pin(),    is_private, site_,          sound_,
-                        keys_,    languages_, {},           counters_,  stick_.names(), live,
-                        kind,     bounds,     device_words, health};
+    const auto& [is_private, live, kind, bounds, device_words, today, health] = facts_;
+    OperatorWorld world{language, now_s,      has_pin(), is_private,   site_, sound_,
+                        keys_,    languages_, {},        days_,        today, stick_.names(),
+                        live,     kind,       bounds,    device_words, health};
     for (const Profile& profile : profiles_) world.profiles.push_back({profile.name, profile.rows});
     world.health.can_keep = can_keep_;
     world.health.version = TOUCHLINE_VERSION;
+    if (!days_.empty() && days_.back().day == today)
+        world.health.faults_today = days_.back().counts.faults;
     if (is_inside()) world.health.networks = network_health();
     return world;
 }
@@ -321,6 +326,15 @@ std::string OperatorSession::export_log(const Language& language) const {
                 : language.text("operator", "The log cannot be written. Make room on the disk.");
 }
 
+std::string OperatorSession::export_counters(const Language& language) {
+    std::error_code error;
+    fs::create_directories(files_.copies, error);
+    const std::string folder = files_.copies.filename().string();
+    return told(outcome(
+        write_whole_file((files_.copies / "touchline-days.csv").string(), counters_csv(days_)),
+        language.text("operator", "The table is in {0}.", {folder}), no_copy, language));
+}
+
 void OperatorSession::import_from_stick(std::size_t file, const Language& language) {
     if (file >= stick_.names().size() || import_.valid()) return;
     import_ =
@@ -339,19 +353,38 @@ std::optional<std::string> OperatorSession::poll_stick(const Language& language)
     return told(import_.get());
 }
 
-void OperatorSession::count_picture(PictureSource source) {
+void OperatorSession::count_picture(PictureSource source, std::chrono::sys_days today) {
     if (!settings_.counts) return;
-    if (source == PictureSource::gallery) ++counters_.gallery_pictures;
-    if (source == PictureSource::stick) ++counters_.stick_pictures;
-    if (source == PictureSource::camera) ++counters_.camera_pictures;
+    Counts& counts = counts_on(today, days_);
+    if (source == PictureSource::gallery) ++counts.gallery_pictures;
+    if (source == PictureSource::stick) ++counts.stick_pictures;
+    if (source == PictureSource::camera) ++counts.camera_pictures;
 }
 
 /// Written once a visit, because a disk wears out.
-void OperatorSession::count_visit(double minutes) {
+void OperatorSession::count_visit(double minutes, std::chrono::sys_days today) {
     if (!settings_.counts) return;
-    ++counters_.sessions;
-    counters_.minutes += static_cast<std::uint64_t>(std::max(0.0, std::round(minutes)));
-    const auto kept = keep_counters(files_.counters, counters_);
+    Counts& counts = counts_on(today, days_);
+    ++counts.visits;
+    counts.minutes += static_cast<std::uint64_t>(std::max(0.0, std::round(minutes)));
+    keep_counts();
+}
+
+/// Written once a minute at most: a plug that is loose is many faults.
+void OperatorSession::count_faults(std::uint64_t began, std::chrono::sys_days today, double now_s) {
+    constexpr double between_s = 60.0;
+    if (began > 0) {
+        counts_on(today, days_).faults += began;
+        is_fault_unkept_ = true;
+    }
+    if (!is_fault_unkept_ || now_s - fault_kept_s_ < between_s) return;
+    is_fault_unkept_ = false;
+    fault_kept_s_ = now_s;
+    keep_counts();
+}
+
+void OperatorSession::keep_counts() {
+    const auto kept = keep_counters(files_.counters, days_);
     if (!kept && can_keep_) note_ = kept.error().line;
     can_keep_ = kept.has_value();
 }

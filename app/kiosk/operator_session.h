@@ -13,6 +13,8 @@
 #include "audio-cues/words/language.h"
 #include "config/types/result.h"
 
+#include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <future>
 #include <optional>
@@ -45,8 +47,8 @@ struct KioskFacts {
     std::optional<std::string> kind;
     FeltBounds bounds;
     std::string device_words;
-    KioskHealth
-        health;  // of the handle, sound, camera, sticks and time; the session knows the rest
+    std::chrono::sys_days today;
+    KioskHealth health;  // of all that the session does not know itself
 };
 
 /// The result of an order.
@@ -99,8 +101,12 @@ class OperatorSession {
     /// Reads the files again if somebody else changed them. True if they say something new.
     [[nodiscard]] bool read_again();
 
-    void count_picture(PictureSource source);
-    void count_visit(double minutes);
+    // What is counted, on this day of the site's clock.
+    void count_picture(PictureSource source, std::chrono::sys_days today);
+    void count_visit(double minutes, std::chrono::sys_days today);
+
+    /// `began`: how many faults began since the last call. Call it once a second at least.
+    void count_faults(std::uint64_t began, std::chrono::sys_days today, double now_s);
 
     /// Adds a line to the log that can be exported; it keeps the last 1000 lines.
     void log(const std::string& line);
@@ -122,7 +128,9 @@ class OperatorSession {
     [[nodiscard]] std::string restore(const Language& language);
     [[nodiscard]] std::string export_log(const Language& language) const;
     [[nodiscard]] std::string told(Outcome outcome);
+    [[nodiscard]] std::string export_counters(const Language& language);
     void import_from_stick(std::size_t file, const Language& language);
+    void keep_counts();
 
     OperatorFiles files_;
     FileWatch watch_;
@@ -134,7 +142,9 @@ class OperatorSession {
     Settings settings_;
     SoundSettings sound_;
     KeyTable keys_;
-    Counters counters_;
+    CountedDays days_;
+    bool is_fault_unkept_ = false;
+    double fault_kept_s_ = -1e9;
     KioskFacts facts_;
     OperatorStick stick_;
     std::future<Outcome> import_;

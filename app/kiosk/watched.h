@@ -109,6 +109,23 @@ class HandleReady {
     std::optional<double> since_s_;
 };
 
+/// Counts what stops working.
+class FaultCount {
+  public:
+    /// `are_there`: whether the force, the sound, the camera is faulty now. Returns how many of
+    /// these faults began since the last call.
+    [[nodiscard]] std::uint64_t step(const std::array<bool, 3>& are_there) {
+        std::uint64_t began = 0;
+        for (std::size_t i = 0; i < are_there.size(); ++i)
+            if (are_there[i] && !were_there_[i]) ++began;
+        were_there_ = are_there;
+        return began;
+    }
+
+  private:
+    std::array<bool, 3> were_there_{};
+};
+
 /// What the site's hours say now.
 struct HoursNow {
     std::optional<OpeningChanged> change;  // nothing: as it was

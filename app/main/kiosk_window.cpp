@@ -122,12 +122,23 @@ class KioskWindow {
     }
 
   private:
-    /// The local minute of the day.
-    static int minute_of_day() {
+    static std::tm local_time() {
         const std::time_t now = std::time(nullptr);
         std::tm local{};
         localtime_r(&now, &local);
+        return local;
+    }
+
+    static int minute_of_day() {
+        const std::tm local = local_time();
         return 60 * local.tm_hour + local.tm_min;
+    }
+
+    static std::chrono::sys_days today() {
+        const std::tm local = local_time();
+        return std::chrono::year(1900 + local.tm_year) /
+               std::chrono::month(static_cast<unsigned>(1 + local.tm_mon)) /
+               std::chrono::day(static_cast<unsigned>(local.tm_mday));
     }
 
     Result<void> open_window() {
@@ -192,6 +203,7 @@ class KioskWindow {
         parts.settings = settings_;
         parts.keys = operator_->keys();
         parts.minute_of_day = minute_of_day;
+        parts.today = today;
         parts.operator_session = std::move(operator_);
         parts.are_keys_free = arguments_.in_window;
         parts.profile = servo->profile;

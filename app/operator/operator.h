@@ -13,6 +13,7 @@
 #include "config/settings/settings.h"
 #include "config/settings/sound.h"
 
+#include <chrono>
 #include <optional>
 #include <string>
 #include <variant>
@@ -58,6 +59,7 @@ enum class OperatorPlace : std::uint8_t {
     upkeep,
     library,
     counters,
+    days,
     log,
     backup,
     paths,
@@ -65,7 +67,7 @@ enum class OperatorPlace : std::uint8_t {
     question,
 };
 
-inline constexpr std::size_t operator_place_count = 41;
+inline constexpr std::size_t operator_place_count = 42;
 
 /// The screens that need the PIN.
 [[nodiscard]] constexpr bool is_inside(OperatorPlace place) {
@@ -134,7 +136,8 @@ struct OperatorWorld {
     KeyTable keys{};
     std::vector<OfferedLanguage> languages{};
     std::vector<OfferedProfile> profiles{};
-    Counters counters{};
+    CountedDays days{};
+    std::chrono::sys_days today{};        // by the site's clock
     std::vector<std::string> on_stick{};  // names of picture packs and networks
     std::vector<std::string> live{};      // facts in words: force, level, loop
     /// The profile that the handle is taken for; empty: nobody has said. Nothing: the handle is
@@ -237,6 +240,8 @@ struct ImportFromStick {
 
 struct ZeroCounters {};
 
+struct ExportCounters {};
+
 struct ExportLog {};
 
 struct SaveRecording {};  // writes the last minute to a file
@@ -249,10 +254,11 @@ struct CloseKiosk {};
 
 struct Leave {};  // gives the kiosk back to the visitors
 
-using OperatorOrder = std::variant<Say, Click, Show, CheckPin, KeepPin, SetSettings, WriteSettings,
-                                   WriteSound, WriteKeys, FindHome, ChooseKind, ClearFault, RunTest,
-                                   StopTest, ShowLive, LockHandle, ImportFromStick, ZeroCounters,
-                                   ExportLog, SaveRecording, BackUp, Restore, CloseKiosk, Leave>;
+using OperatorOrder =
+    std::variant<Say, Click, Show, CheckPin, KeepPin, SetSettings, WriteSettings, WriteSound,
+                 WriteKeys, FindHome, ChooseKind, ClearFault, RunTest, StopTest, ShowLive,
+                 LockHandle, ImportFromStick, ZeroCounters, ExportCounters, ExportLog,
+                 SaveRecording, BackUp, Restore, CloseKiosk, Leave>;
 
 struct OperatorStep {
     Operator state;

@@ -61,6 +61,8 @@ constexpr auto actions = std::to_array<ActionRow>({
     {P::homing, A::find_home, "Begin", "", find_home},
     {P::self_test, A::run_all_tests, "All steps", "One after the other.", run_all_tests},
     {P::cleaning, A::begin_cleaning, "Begin", "", begin_cleaning},
+    {P::counters, A::export_counters, "Copy the days as a table",
+     "The file lies beside the settings. A spreadsheet reads it.", give<ExportCounters>},
     {P::counters, A::zero_counters, "Begin again from zero", "", ask<Q::zero_counters>},
     {P::log, A::export_log, "Copy the log", "", give<ExportLog>},
     {P::log, A::save_recording, "Save what was felt in the last minute",

@@ -11,6 +11,7 @@ namespace touchline {
 namespace {
 
 constexpr int ids_an_item = 1000;
+constexpr std::size_t shown_days = 31;
 
 /// Items of one screen, in the order in which they are added.
 struct List {
@@ -176,15 +177,45 @@ struct List {
     }
 
     void add_counters() {
-        const Counters& counted = world.counters;
-        const std::array facts{std::pair{"Visits", counted.sessions},
+        const Counts counted = total_of(world.days);
+        const std::array facts{std::pair{"Visits", counted.visits},
                                std::pair{"Pictures of the gallery", counted.gallery_pictures},
                                std::pair{"Pictures of USB sticks", counted.stick_pictures},
                                std::pair{"Photos of the camera", counted.camera_pictures},
-                               std::pair{"Minutes of visits", counted.minutes}};
+                               std::pair{"Minutes of visits", counted.minutes},
+                               std::pair{"Faults", counted.faults}};
         for (std::size_t i = 0; i < facts.size(); ++i)
             add(OperatorItem::fact, i, ItemRole::text, words(facts[i].first),
                 std::to_string(facts[i].second));
+    }
+
+    [[nodiscard]] std::string day_in_words(std::chrono::sys_days day) const {
+        const int days_ago = static_cast<int>((world.today - day).count());
+        if (days_ago == 0) return words("today");
+        if (days_ago == 1) return words("yesterday");
+        return world.language.counted("operator", "{0} day ago", "{0} days ago", days_ago);
+    }
+
+    [[nodiscard]] std::string counts_in_words(const Counts& counts) const {
+        const auto counted = [this](const char* context, const char* one, const char* many,
+                                    std::uint64_t count) {
+            return world.language.counted(
+                context, one, many, static_cast<int>(std::min<std::uint64_t>(count, 1'000'000)));
+        };
+        const std::uint64_t pictures =
+            counts.gallery_pictures + counts.stick_pictures + counts.camera_pictures;
+        return counted("operator", "{0} visit", "{0} visits", counts.visits) + ", " +
+               counted("count", "{0} picture", "{0} pictures", pictures) + ", " +
+               counted("operator", "{0} minute", "{0} minutes", counts.minutes) + ", " +
+               counted("operator", "{0} fault", "{0} faults", counts.faults);
+    }
+
+    /// The newest first. A day that the clock has not reached is in the table only.
+    void add_days() {
+        for (auto day = world.days.rbegin(); day != world.days.rend(); ++day)
+            if (day->day <= world.today && items.size() < shown_days)
+                add(OperatorItem::fact, items.size(), ItemRole::text, day_in_words(day->day),
+                    counts_in_words(day->counts));
     }
 
     void add_texts(OperatorItem item, ItemRole role, const std::vector<std::string>& texts) {
@@ -224,6 +255,8 @@ struct List {
                 return add_texts(OperatorItem::on_stick, ItemRole::choice, world.on_stick);
             case OperatorPlace::counters:
                 return add_counters();
+            case OperatorPlace::days:
+                return add_days();
             case OperatorPlace::question:
                 return add_answers();
             default:
@@ -242,6 +275,12 @@ std::string own_text(const Operator& state, const OperatorWorld& world) {
         text = words(
             "Put in a USB stick with packs of pictures. A network file for Touchline can be on it "
             "too.");
+    if (state.place == OperatorPlace::days)
+        text =
+            world.days.empty()
+                ? words("Nothing was counted yet.")
+                : world.language.text("operator", "At most {0} days are listed. The table has all.",
+                                      {std::to_string(shown_days)});
     if (state.place == OperatorPlace::status) {
         const bool is_well =
             health_lines(world.health, world.language).front().urgency != Urgency::trouble;

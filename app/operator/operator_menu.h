@@ -34,6 +34,7 @@ enum class OperatorAction : std::uint8_t {
     clear_fault,
     run_all_tests,
     begin_cleaning,
+    export_counters,
     zero_counters,
     export_log,
     save_recording,

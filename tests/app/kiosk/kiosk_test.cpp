@@ -209,7 +209,7 @@ TEST(MissingParts, ADiskThatTakesNothingIsOneLine) {
 TEST(MissingParts, AFolderForTheSiteIsMadeAndNothingIsSaid) {
     KioskWorld world;
     OperatorFiles files = world.site_files();
-    files.counters = world.folder() / "new" / "counters.toml";
+    files.counters = world.folder() / "new" / "counters.csv";
     std::vector<std::string> problems;
     const OperatorSession desk(files, {Language()}, problems);
     EXPECT_TRUE(problems.empty()) << problems.front();

@@ -62,6 +62,7 @@ KioskWorld::KioskWorld(bool is_in_window, Gallery gallery, ThingFinder finder)
     parts.settings = parts.operator_session->settings();
     parts.keys = parts.operator_session->keys();
     parts.minute_of_day = [this] { return minute_of_day; };
+    parts.today = [this] { return today; };
     kiosk_ = std::make_unique<Kiosk>(std::move(parts));
 }
 

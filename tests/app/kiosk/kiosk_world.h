@@ -8,6 +8,7 @@
 #include "tests/app/kiosk/stepped_servo.h"
 #include "tests/machines/sim/kiosk/house.h"
 
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -50,6 +51,7 @@ class KioskWorld : private Pinned {
     [[nodiscard]] OperatorFiles site_files() const;
 
     int minute_of_day = 12 * 60;
+    std::chrono::sys_days today{std::chrono::year(2026) / 3 / 1};
 
   private:
     double now_s_ = 0.0;

@@ -462,11 +462,71 @@ TEST(House, CountsVisitsAndPicturesButNobody) {
     ASSERT_TRUE(visitor.choose_picture("A heart"));
     world.run(400.0);
     EXPECT_FALSE(is_visit_on(world.kiosk().visit()));
-    const auto counters = read_counters(world.site_files().counters);
-    ASSERT_TRUE(counters.has_value());
-    EXPECT_EQ(counters->sessions, 1U);
-    EXPECT_EQ(counters->gallery_pictures, 1U);
-    EXPECT_EQ(counters->stick_pictures, 0U);
+    const auto days = read_counters(world.site_files().counters);
+    ASSERT_TRUE(days.has_value());
+    ASSERT_EQ(days->size(), 1U);
+    const auto& [day, counts] = days->front();
+    EXPECT_EQ(day, world.today);
+    EXPECT_EQ(counts.visits, 1U);
+    EXPECT_EQ(counts.gallery_pictures, 1U);
+    EXPECT_EQ(counts.stick_pictures, 0U);
+    EXPECT_EQ(counts.faults, 0U);
+    world.today += std::chrono::days(1);
+    visitor.press(KeyRole::select);
+    world.run(400.0);
+    EXPECT_EQ(read_counters(world.site_files().counters).value().size(), 2U);
+}
+
+/// Who presses the emergency stop has a reason; the machine has none.
+TEST(House, CountsFaultsAndNoEmergencyStop) {
+    KioskWorld world;
+    const auto faults = [&world] {
+        return total_of(read_counters(world.site_files().counters).value()).faults;
+    };
+    strike(world, 'E');
+    world.run(61.0);
+    strike(world, 'C');
+    EXPECT_EQ(faults(), 0U);
+    world.heard().problem = "There is no sound.";
+    world.run(61.0);
+    EXPECT_EQ(faults(), 1U) << "however long it lasts";
+    for (int i = 0; i < 3; ++i) {
+        world.heard().problem = "";
+        world.run(0.2);
+        world.heard().problem = "There is no sound.";
+        world.run(0.2);
+    }
+    world.run(61.0);
+    EXPECT_EQ(faults(), 4U);
+    BlindVisitor staff(world, 0.2);
+    open_status(staff);
+    EXPECT_TRUE(staff.find("Faults today, 4")) << staff.heard();
+}
+
+/// By ear, and as a table for a spreadsheet.
+TEST(House, ItsDaysAreHeardAndCopied) {
+    KioskWorld world;
+    BlindVisitor visitor(world);
+    for (int day = 0; day < 2; ++day) {
+        world.today += std::chrono::days(3);
+        visitor.press(KeyRole::select);
+        world.run(400.0);
+        ASSERT_FALSE(is_visit_on(world.kiosk().visit()));
+    }
+    BlindVisitor staff(world, 0.2);
+    open_menu(staff);
+    ASSERT_TRUE(staff.choose("Upkeep")) << staff.heard();
+    ASSERT_TRUE(staff.choose("What was counted")) << staff.heard();
+    ASSERT_TRUE(staff.choose("Day by day")) << staff.heard();
+    EXPECT_NE(staff.heard().find("today, 1 visit, 0 pictures, "), std::string::npos)
+        << staff.heard();
+    staff.press(KeyRole::down);
+    EXPECT_EQ(staff.heard().find("3 days ago, 1 visit, 0 pictures, "), 0U) << staff.heard();
+    staff.press(KeyRole::back);
+    ASSERT_TRUE(staff.choose("Copy the days as a table")) << staff.heard();
+    EXPECT_NE(staff.heard().find("The table is in copies."), std::string::npos) << staff.heard();
+    EXPECT_EQ(text_of(world.site_files().copies / "touchline-days.csv"),
+              text_of(world.site_files().counters));
 }
 
 }  // namespace

@@ -239,7 +239,7 @@ TEST(WholeVisit, TI4_NothingOfAVisitorIsInAnyFileAfterwards) {
     finish(world, visitor);
     EXPECT_EQ(files_below(world.folder() / "stick"), before) << "the stick is as it was";
     for (const auto& [file, text] : files_below(world.folder() / "site")) {
-        EXPECT_EQ(file.filename(), "counters.toml") << "nothing else is written";
+        EXPECT_EQ(file.filename(), "counters.csv") << "nothing else is written";
         EXPECT_EQ(text.find("house"), std::string::npos);
     }
     EXPECT_TRUE(files_below(home).empty());

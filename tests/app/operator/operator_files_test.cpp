@@ -134,29 +134,57 @@ TEST_F(OperatorFilesTest, ADamagedCountOfWrongPinsIsOneLineAndNoNumber) {
     EXPECT_FALSE(read_pin_tries(tries)) << "a link to nothing is no fresh start";
 }
 
+constexpr std::chrono::sys_days a_day{std::chrono::year(2026) / 2 / 28};
+constexpr std::chrono::days one_day(1);
+
 TEST_F(OperatorFilesTest, CountersComeBackAndHoldNothingElse) {
-    const Counters counted{12, 30, 5, 2, 90};
-    const fs::path file = folder / "counters.toml";
-    EXPECT_EQ(read_counters(file), Counters{}) << "not there: nothing was counted";
+    const CountedDays counted{{a_day, {12, 30, 5, 2, 90, 1}},
+                              {a_day + one_day, {1, 0, 0, 0, 3, 0}}};
+    const fs::path file = folder / "new" / "counters.csv";
+    EXPECT_EQ(read_counters(file), CountedDays{}) << "not there: nothing was counted";
     ASSERT_TRUE(keep_counters(file, counted));
     EXPECT_EQ(read_counters(file), counted);
-    EXPECT_EQ(counters_text(counted),
-              "# What this kiosk counted: never people, names or times.\nsessions = 12\n"
-              "gallery_pictures = 30\nstick_pictures = 5\ncamera_pictures = 2\nminutes = 90\n");
+    EXPECT_EQ(counters_csv(counted),
+              "day,visits,gallery_pictures,stick_pictures,camera_pictures,minutes,faults\n"
+              "2026-02-28,12,30,5,2,90,1\n2026-03-01,1,0,0,0,3,0\n");
+    EXPECT_EQ(total_of(counted), (Counts{13, 30, 5, 2, 93, 1}));
+}
+
+TEST_F(OperatorFilesTest, DaysAreInTheirOrderAndTheOldestMakesRoom) {
+    CountedDays days;
+    ++counts_on(a_day + one_day, days).visits;
+    ++counts_on(a_day, days).visits;  // the clock went back
+    ++counts_on(a_day + one_day, days).visits;
+    ASSERT_EQ(days.size(), 2U);
+    EXPECT_EQ(days[0], (CountedDay{a_day, {1}}));
+    EXPECT_EQ(days[1], (CountedDay{a_day + one_day, {2}}));
+    for (int i = 2; i < 1000; ++i) ++counts_on(a_day + i * one_day, days).visits;
+    ASSERT_EQ(days.size(), most_counted_days);
+    EXPECT_EQ(days.back().day, a_day + 999 * one_day);
+    EXPECT_EQ(days.front().day, a_day + 600 * one_day);
+    EXPECT_EQ(parse_counters(counters_csv(days), "c"), days);
+    ++counts_on(a_day, days).visits;  // the clock forgot everything
+    ASSERT_EQ(days.size(), most_counted_days);
+    EXPECT_EQ(days.front(), (CountedDay{a_day, {1}}));
 }
 
 TEST_F(OperatorFilesTest, WrongCountersAreOneLine) {
-    const auto error = [](const std::string& text) {
-        const auto counters = parse_counters(text, "c");
-        return counters ? "no error" : counters.error().line;
+    const std::string names = counters_csv({});
+    const auto error = [](const std::string& csv) {
+        const auto days = parse_counters(csv, "c");
+        return days ? "no error" : days.error().line;
     };
-    EXPECT_EQ(error("sessions = -1"), "c:1: 'sessions' must be a whole number from 0 on");
-    EXPECT_EQ(error("\nminutes = 1.5"), "c:2: 'minutes' must be a whole number from 0 on");
-    EXPECT_EQ(error("minutes = 99999999999999999999"),
-              "c:1: 'minutes' must be a whole number from 0 on");
-    EXPECT_EQ(error("people = 3"), "c:1: 'people' is no counter");
-    EXPECT_EQ(error("minutes"), "c:1: 'minutes' is no counter");
-    EXPECT_EQ(error("# a\n\n  minutes = 4 \r\n"), "no error");
+    EXPECT_EQ(error(""), "no error");
+    EXPECT_EQ(error(names + "2026-03-01,1,0,0,0,3,18446744073709551615\n"), "no error");
+    EXPECT_EQ(error("sessions = 1\n"), "c:1: must be '" + names.substr(0, names.size() - 1) + '\'');
+    for (const char* line :
+         {"", "2026-03-01", "2026-03-01,1,0,0,0,3", "2026-03-01,1,0,0,0,3,0,0",
+          "2026-03-01,1,0,0,0,3,-1", "2026-03-01,1,0,0,0,3,1.5", "2026-03-01,1,0,0,0,3,x",
+          "2026-03-01,1,0,0,0,3,99999999999999999999", "2026-02-29,1,0,0,0,3,0",
+          "2026-13-01,1,0,0,0,3,0", "26-03-01,1,0,0,0,3,0", "today,1,0,0,0,3,0"})
+        EXPECT_EQ(error(names + line + '\n'), "c:2: must be a day and its 6 whole numbers") << line;
+    EXPECT_EQ(error(names + "2026-03-01,1,0,0,0,3,0\n2026-03-01,1,0,0,0,3,0\n"),
+              "c:3: must be a later day than the line before");
 }
 
 Backup some_backup() {

@@ -51,7 +51,8 @@ OperatorWorld OperatorRig::world() const {
             keys,
             {{"en", "English"}, {"de", "Deutsch"}, {"fr", "Français"}, {"es", "Español"}},
             std::move(offered),
-            counters,
+            days,
+            today,
             packs,
             {"Force 0.5 newtons", "Level 2"},
             kind,
@@ -149,6 +150,14 @@ void OperatorRig::enter_pin(const std::string& pin) {
         press(KeyRole::select);
     }
     press(KeyRole::select);
+}
+
+void OperatorRig::open_menu() {
+    enter();
+    enter_pin("1234");
+    enter_pin("1234");
+    press(KeyRole::back);
+    (void)heard();
 }
 
 bool OperatorRig::find(const std::string& name) {

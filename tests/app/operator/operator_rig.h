@@ -33,6 +33,10 @@ class OperatorRig : private Pinned {
     void enter();
     void enter_pin(const std::string& pin);
 
+    /// Enters with a new PIN, and goes from the first screen back to the menu. Forgets what was
+    /// heard.
+    void open_menu();
+
     /// Presses Down until the item with this name has the focus; returns false if there is none.
     bool find(const std::string& name);
 
@@ -66,7 +70,8 @@ class OperatorRig : private Pinned {
     Settings felt;                      // the servo's settings
     SoundSettings sound;
     KeyTable keys = default_keys();
-    Counters counters{12, 30, 5, 2, 90};
+    std::chrono::sys_days today{std::chrono::year(2026) / 3 / 1};
+    CountedDays days;
     std::vector<std::string> packs{"Castles", "Letters"};
     std::optional<std::string> kind = "2diy-gen3.1";
     FeltBounds bounds;

@@ -18,13 +18,7 @@ using P = OperatorPlace;
 
 class OperatorTest : public testing::Test {
   protected:
-    OperatorTest() {
-        rig.enter();
-        rig.enter_pin("1234");
-        rig.enter_pin("1234");
-        rig.press(R::back);  // from the first screen to the menu
-        (void)rig.heard();
-    }
+    OperatorTest() { rig.open_menu(); }
 
     OperatorRig rig;
 };
@@ -265,63 +259,6 @@ TEST_F(OperatorTest, AWizardThatNobodyAnswersChangesNothing) {
     EXPECT_EQ(rig.state.place, P::keys);
     EXPECT_EQ(rig.keys, before);
     EXPECT_EQ(rig.count<WriteKeys>(), 0);
-}
-
-TEST_F(OperatorTest, TheSelfTestAsksWherePeopleMustSay) {
-    ASSERT_TRUE(rig.open({"Handle and tests", "Self-test", "All steps"}));
-    EXPECT_EQ(rig.state.test.step, TestStep::motors) << "the device answered by itself";
-    EXPECT_EQ(rig.count<RunTest>(), 1) << "no motor moves before somebody begins";
-    rig.press(R::select);
-    EXPECT_EQ(rig.screen().text, "Did the handle push to both sides?");
-    rig.press(R::select);
-    EXPECT_EQ(rig.state.test.step, TestStep::sound_left) << "the camera answered by itself";
-    rig.press({R::select, R::down, R::select});  // begin; answer no
-    rig.press({R::down, R::select});             // skip the right ear
-    EXPECT_EQ(rig.state.test.step, TestStep::keys);
-    rig.press({R::up, R::down, R::back, R::repeat, R::select, R::help});
-    EXPECT_EQ(rig.state.test.step, TestStep::stick_port);
-    rig.press(R::select);
-    EXPECT_EQ(rig.state.place, P::self_test);
-    using V = TestVerdict;
-    EXPECT_EQ(rig.state.test.verdicts, (std::array{V::passed, V::passed, V::passed, V::failed,
-                                                   V::untried, V::passed, V::passed, V::passed}));
-    EXPECT_NE(rig.heard().find("Sound on the left failed."), std::string::npos);
-}
-
-TEST_F(OperatorTest, ATestAloneThatPassesIsDoneAndHasTheFocus) {
-    ASSERT_TRUE(rig.open({"Handle and tests", "Self-test"}));
-    (void)rig.heard();
-    ASSERT_TRUE(rig.open({"Camera"}));
-    EXPECT_EQ(rig.state.place, P::self_test);
-    EXPECT_EQ(rig.state.test.verdicts[2], TestVerdict::passed);
-    EXPECT_TRUE(rig.heard().ends_with("Self-test. Camera, passed, 4 of 9\n"));
-}
-
-TEST_F(OperatorTest, ATestWithoutAnAnswerFailsAndIsStopped) {
-    rig.answers_tests = false;
-    ASSERT_TRUE(rig.open({"Handle and tests", "Self-test", "Camera"}));
-    rig.wait(61.0);
-    EXPECT_EQ(rig.state.place, P::self_test);
-    EXPECT_EQ(rig.count<StopTest>(), 1);
-    EXPECT_NE(rig.heard().find("Camera failed. No answer came"), std::string::npos);
-    rig.take(TestAnswered{TestStep::camera, true, ""});
-    EXPECT_EQ(rig.state.test.verdicts[2], TestVerdict::failed) << "too late";
-    ASSERT_TRUE(rig.open({"Keys"}));
-    rig.press({R::up, R::down});
-    rig.wait(61.0);
-    EXPECT_NE(rig.heard().find("These were not pressed: Back, Repeat, Select, Help."),
-              std::string::npos);
-}
-
-TEST_F(OperatorTest, BackStopsATest) {
-    rig.answers_tests = false;
-    ASSERT_TRUE(rig.open({"Handle and tests", "Self-test", "Camera"}));
-    rig.press(R::back);
-    EXPECT_EQ(rig.state.place, P::self_test);
-    EXPECT_EQ(rig.count<StopTest>(), 1);
-    ASSERT_TRUE(rig.open({"Keys"}));
-    rig.press({R::back, R::back});
-    EXPECT_EQ(rig.state.place, P::self_test);
 }
 
 TEST_F(OperatorTest, WhileTheHandleIsCleanedNoKeyCounts) {

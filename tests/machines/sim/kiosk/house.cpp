@@ -72,7 +72,7 @@ OperatorFiles site_files_in(const fs::path& folder) {
     fs::create_directories(folder);
     return {{folder / "kiosk.toml", folder / "kiosk.toml.good"},
             folder / "operator.pin",
-            folder / "counters.toml",
+            folder / "counters.csv",
             folder / "keys.toml",
             folder / "sound.toml",
             TOUCHLINE_SOURCE_DIR "/config/defaults/profiles",
