@@ -209,6 +209,17 @@ bool goes_silent(const Visit& before, const Visit& after) {
     return before.visitor.sound.is_speech_on && !after.visitor.sound.is_speech_on;
 }
 
+template <class... Act>
+bool is_one_of(const VisitEvent& event) {
+    return (std::holds_alternative<Act>(event) || ...);
+}
+
+/// What a visitor does and hears an answer to. A hand that moves hears the names of parts alone.
+bool is_act(const VisitEvent& event) {
+    return is_one_of<KeyPressed, SpeechKeyPressed, DeadKeyPressed, HeadphonesChanged, StickArriving,
+                     StickCame, StickGone>(event);
+}
+
 /// The orders that follow from the state alone; they come before what the step said and did.
 VisitOrders changes(const Visit& before, const Visit& after) {
     VisitOrders orders;
@@ -282,12 +293,14 @@ void end_visit(VisitWork& work, VisitScreen next) {
     const std::size_t language = work.visitor.sound.language;
     const bool is_given = work.site.given && work.visitor.stick_list == work.site.given;
     const bool has_stick = work.visitor.has_stick && !is_given;
+    const auto felt = static_cast<int>(work.visitor.pictures_felt.size());
     work.visitor = new_visitor(work.site, work.world);
     work.visitor.path = {Standing{next}};
     // The last words are still in the visitor's language.
     if (next == VisitScreen::goodbye) {
         work.visitor.sound.language = language;
         work.visitor.has_stick_to_take = has_stick;
+        work.visitor.felt_to_tell = felt;
     }
     say_screen(work);
 }
@@ -300,7 +313,7 @@ VisitStep start_visit(const VisitWorld& world) {
 }
 
 VisitStep step(const Visit& visit, const VisitEvent& event, const VisitWorld& world) {
-    VisitWork work{visit.site, visit.visitor, world, {}};
+    VisitWork work{visit.site, visit.visitor, world, {}, is_act(event)};
     std::visit([&work](const auto& each) { take(work, each); }, event);
     return finish(visit, std::move(work));
 }

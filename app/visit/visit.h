@@ -17,6 +17,8 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace touchline {
@@ -70,6 +72,7 @@ enum class VisitItem : int {
     zoom,
     thing_here,
     mode,
+    undo,
     stiffness,
     held_shape,
     turn_left,
@@ -157,6 +160,9 @@ struct KnownPicture {
     PictureFacts facts;
 };
 
+/// What the last change replaced: the enlargement, the detail or the kind of line.
+using FeltBefore = std::variant<ZoomWanted, int, Mode>;
+
 /// Why a loading job is under way; decides what is said when it ends. unasked: nothing is said,
 /// because the visitor did not order it; it is the same picture in another language or in the
 /// operator's detail. main_thing: the main thing of a photograph that was not touched yet.
@@ -231,6 +237,13 @@ struct HintSaid {
     }
 };
 
+/// Words that this visitor heard a moment ago.
+struct SaidLately {
+    std::string language;  // its code
+    std::string text;
+    double at_s = 0.0;
+};
+
 /// The state of one visitor; every visit begins with a new one.
 struct Visitor {
     std::vector<Standing> path{Standing{}};  // never empty; the last one is open
@@ -242,12 +255,15 @@ struct Visitor {
     Feel feel;
     int detail = 3;  // for the next picture too
     std::optional<KnownPicture> felt;
+    std::optional<FeltBefore> before;  // one step back from what is felt; none: no change yet
+    std::vector<std::pair<PictureSource, std::size_t>> pictures_felt;  // by a hand that moved
     bool is_told_shortly = false;  // the rest follows when the search for its things ends
     std::optional<Loading> loading;
     std::optional<Waiting> waiting;
     bool is_capturing = false;
     bool has_stick = false;
     bool has_stick_to_take = false;               // the last screen says so
+    int felt_to_tell = 0;                         // pictures; the last screen says so
     std::shared_ptr<const StickList> stick_list;  // none: not read yet
     std::optional<Leading> leading;
     HandleSeen handle;
@@ -263,6 +279,7 @@ struct Visitor {
     std::optional<double> pulled_s;  // when the headphones were pulled out
     bool is_hint_due = false;
     std::vector<HintSaid> hints;
+    std::vector<SaidLately> said;
     int dead_keys = 0;                // in a row
     int repeats = 0;                  // presses of Repeat in a row
     std::optional<KeyRole> last_key;  // none: no key yet, or one without a meaning

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace touchline {
@@ -85,6 +87,12 @@ std::string told_zoom(const VisitSheet& sheet) {
 std::string told_part_count(const VisitSheet& sheet) {
     return sheet.language.counted("count", "{0} part", "{0} parts",
                                   static_cast<int>(facts_of(sheet).parts.size()));
+}
+
+/// What would be undone.
+std::string told_last_change(const VisitSheet& sheet) {
+    constexpr std::array names{"Enlargement", "Detail", "Kind of line"};  // as FeltBefore
+    return sheet.words(names.at(sheet.visitor().before->index()));
 }
 
 std::string told_page_place(const VisitSheet& sheet) {
@@ -238,6 +246,41 @@ void choose_detail(VisitWork& work, std::size_t value) {
     open_again(work, felt, LoadReason::detail);
 }
 
+std::size_t chosen_mode(const Visitor& visitor) {
+    return static_cast<std::size_t>(visitor.feel.mode);
+}
+
+void choose_mode(VisitWork& work, std::size_t value) {
+    const auto mode = static_cast<Mode>(value);
+    if (work.visitor.feel.mode == mode) return;
+    work.visitor.before = std::exchange(work.visitor.feel.mode, mode);
+}
+
+/// Makes one change undone, by its kind.
+struct Undo {
+    VisitWork& work;
+
+    void operator()(const ZoomWanted& zoom) const {
+        LoadPicture wanted = work.visitor.felt->order;
+        wanted.zoom = zoom;
+        open_again(work, wanted, LoadReason::zoom);
+    }
+
+    void operator()(int detail) const { choose_detail(work, static_cast<std::size_t>(detail - 1)); }
+
+    void operator()(Mode mode) const {
+        choose_mode(work, static_cast<std::size_t>(mode));
+        focus_on(work, VisitItem::mode);
+        say_item(work);
+    }
+};
+
+/// Once more, and the change holds again.
+void undo(VisitWork& work) {
+    const FeltBefore before = *work.visitor.before;
+    std::visit(Undo{work}, before);
+}
+
 void open_view(VisitWork& work, int page, int view) {
     LoadPicture wanted = work.visitor.felt->order;
     wanted.page = page;
@@ -367,8 +410,9 @@ constexpr auto picture_items = std::to_array<VisitItemRow>({
     {S::picture, I::tell_again, "Tell me again", tell_again},
     {S::picture, I::detail, "Detail", VisitSetting{named<details>, {chosen_detail, choose_detail}}},
     {S::picture, I::zoom, "Enlargement", S::zoom, nullptr, nullptr, told_zoom},
-    {S::picture, I::mode, "Kind of line",
-     VisitSetting{named<modes>, kept_in<&Visitor::feel, &Feel::mode>}},
+    {S::picture, I::mode, "Kind of line", VisitSetting{named<modes>, {chosen_mode, choose_mode}}},
+    {S::picture, I::undo, "Undo the last change", undo, nullptr,
+     [](const VisitSheet& sheet) { return sheet.visitor().before.has_value(); }, told_last_change},
     {S::picture, I::stiffness, "Firmness",
      VisitSetting{stiffness_names, kept_in<&Visitor::feel, &Feel::stiffness>}},
     {S::picture, I::held_shape, "Shape in the hand",

@@ -169,6 +169,9 @@ void ask_to_finish(VisitWork& work) {
 // The end.
 
 void write_goodbye(VisitSheet& sheet) {
+    if (const int count = sheet.visitor().felt_to_tell; count > 0)
+        sheet.told(sheet.language.counted("visit", "You felt {0} picture.",
+                                          "You felt {0} pictures.", count));
     if (sheet.visitor().has_stick_to_take) sheet.sentence("Take your USB stick with you.");
     sheet.sentence("If you brought headphones, take them with you.");
     sheet.sentence("Nothing about you is kept here.");

@@ -15,7 +15,7 @@ constexpr double hint_again_s = 30.0;  // the same hint: 10 s, and the time of o
 constexpr int hint_times = 2;          // in a visit; after that it is known
 constexpr double progress_after_s = 0.3;
 constexpr double progress_said_after_s = 2.0;
-constexpr double progress_said_every_s = 4.5;
+constexpr double progress_said_every_s = 10.5;
 constexpr double private_s = 10.0;  // headphones are out; then the kiosk asks
 constexpr double goodbye_s = 10.0;
 constexpr double practice_s = 60.0;
@@ -74,11 +74,11 @@ void tell_progress(VisitWork& work) {
         waiting.last_cue_s = now_s;
         cue(work, ScreenEvent::progress);
     }
-    if (now_s - waiting.since_s < progress_said_after_s) return;
-    if (now_s - waiting.last_said_s < progress_said_every_s &&
-        waiting.last_said_s != waiting.since_s) {
-        return;
-    }
+    // A list that is being read said so when it was opened.
+    const bool is_first = waiting.last_said_s == waiting.since_s;
+    const bool is_new = is_first && open_screen(work) == VisitScreen::opening;
+    const double after_s = is_new ? progress_said_after_s : progress_said_every_s;
+    if (now_s - waiting.last_said_s < after_s) return;
     waiting.last_said_s = now_s;
     const SpokenScreen screen = screen_of(work);
     std::string text = screen.title;
@@ -180,15 +180,25 @@ void name_part(VisitWork& work) {
     if (handle.speed_m_per_s > quick_m_per_s) return;
     visitor.part_said = handle.part;
     cue(work, ScreenEvent::label_reached);
+    work.is_asked = true;  // by the hand that rests there
     const bool is_asked_for = visitor.path.back().screen == VisitScreen::explore;
     say(work, visitor.felt->facts.parts[*handle.part].name,
         is_asked_for ? SpeechPriority::text : SpeechPriority::hint);
+    work.is_asked = false;
 }
 
 /// A hand moves on a line of what is felt.
 void note_felt(Visitor& visitor) {
-    if (!visitor.felt) return;
+    if (!visitor.felt || visitor.has_felt) return;
     visitor.has_felt = true;
+    const LoadPicture& order = visitor.felt->order;
+    if (order.source == PictureSource::practice) return;
+    const std::pair picture{order.source, order.index};
+    // Each photo is another picture.
+    const bool is_known =
+        order.source != PictureSource::camera &&
+        std::ranges::find(visitor.pictures_felt, picture) != visitor.pictures_felt.end();
+    if (!is_known) visitor.pictures_felt.push_back(picture);
 }
 
 }  // namespace

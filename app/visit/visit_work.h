@@ -15,6 +15,7 @@ struct VisitWork {
     Visitor visitor;
     const VisitWorld& world;
     VisitOrders orders;
+    bool is_asked = false;  // by what the visitor does: what is said is an answer
 };
 
 /// The visitor's language.
@@ -35,7 +36,8 @@ void shake(VisitWork& work, HandlePattern pattern);
 /// Answers a key that can do nothing here.
 void refuse(VisitWork& work);
 
-/// Says `text` and makes it the caption. Does nothing if it is empty.
+/// Says `text` and makes it the caption. Does nothing if it is empty. What nobody asked for is not
+/// said again within ten seconds and before the next key; safety messages are.
 void say(VisitWork& work, const std::string& text, SpeechPriority priority = SpeechPriority::text);
 /// Says `text` once what is being said is over. Repeat says it again.
 void say_next(VisitWork& work, const std::string& text);

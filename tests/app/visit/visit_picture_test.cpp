@@ -201,6 +201,39 @@ TEST(Visit, HA4_DetailIsOpenedAgainAndSaid) {
         << house.last_said();
 }
 
+TEST(Visit, TheLastChangeIsUndoneAndSaid) {
+    FakeHouse house;
+    to_picture(house);
+    EXPECT_FALSE(house.find("Undo the last change")) << "there is none yet";
+    ASSERT_TRUE(house.choose("Kind of line"));
+    ASSERT_TRUE(house.choose("wall"));
+    ASSERT_TRUE(house.find("Undo the last change"));
+    EXPECT_TRUE(house.last_said().starts_with("Undo the last change, Kind of line"));
+    house.press(KeyRole::select);
+    EXPECT_EQ(house.visit.visitor.feel.mode, Mode::groove);
+    EXPECT_TRUE(house.last_said().starts_with("Kind of line, groove"));
+    ASSERT_TRUE(house.choose("Enlargement"));
+    ASSERT_TRUE(house.choose("Twice as large, around your hand"));
+    house.wait(0.5);
+    ASSERT_EQ(house.visit.visitor.felt->order.zoom.factor, 2.0);
+    ASSERT_TRUE(house.choose("Undo the last change"));
+    house.wait(0.5);
+    EXPECT_EQ(house.visit.visitor.felt->order.zoom.factor, 1.0);
+    EXPECT_TRUE(house.last_said().starts_with("The whole picture."));
+    ASSERT_TRUE(house.choose("Detail"));
+    ASSERT_TRUE(house.choose("everything"));
+    house.wait(0.5);
+    ASSERT_TRUE(house.choose("Undo the last change"));
+    house.wait(0.5);
+    EXPECT_EQ(house.visit.visitor.felt->order.detail, 3);
+    EXPECT_EQ(house.visit.visitor.detail, 3);
+    EXPECT_NE(house.last_said().find("5 outlines. Detail, parts"), std::string::npos);
+    ASSERT_TRUE(house.choose("Another picture"));
+    house.press(KeyRole::select);
+    house.wait(0.5);
+    EXPECT_FALSE(house.find("Undo the last change")) << "of another picture";
+}
+
 /// Changes a setting and tells the visit, as the kiosk does.
 void set(FakeHouse& house, void (*change)(Settings&)) {
     const Settings before = house.settings;

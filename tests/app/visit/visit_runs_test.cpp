@@ -319,6 +319,50 @@ TEST(VisitRun, Rude) {
     EXPECT_GE(been.size(), 16U) << "the rude run comes about";
 }
 
+bool is_act_of_visitor(const VisitEvent& event) {
+    return is_key(event) || std::holds_alternative<HeadphonesChanged>(event) ||
+           std::holds_alternative<StickArriving>(event) ||
+           std::holds_alternative<StickCame>(event) || std::holds_alternative<StickGone>(event);
+}
+
+/// Names of parts are an answer to the hand, and safety must be heard.
+bool may_come_again(const HeardText& heard) {
+    return heard.priority == SpeechPriority::safety || heard.text.starts_with("Body ") ||
+           heard.text.starts_with("Tail ");
+}
+
+TEST(VisitRun, NothingIsSaidTwiceWithinTenSecondsUnasked) {
+    for (unsigned seed = 1; seed <= 3; ++seed) {
+        std::mt19937 random(seed);
+        FakeHouse house;
+        std::vector<double> acts_s;
+        std::size_t compared = 0;
+        for (int i = 0; i < 3000; ++i) {
+            const VisitEvent event = rude_event(random, house);
+            // A hand that begins a visit is another visitor, who has heard nothing.
+            const bool is_act = is_act_of_visitor(event) || !is_visit_on(house.visit);
+            if (is_act) acts_s.push_back(house.now_s);
+            const std::size_t before = house.transcript.size();
+            house.apply(event);
+            const std::size_t answered = is_act ? house.transcript.size() : before;
+            house.wait(0.001 * static_cast<double>(random() % 6000));
+            for (std::size_t at = answered; at < house.transcript.size(); ++at) {
+                const HeardText& now = house.transcript[at];
+                if (may_come_again(now)) continue;
+                for (std::size_t j = at;
+                     j-- > 0 && now.time_s - house.transcript[j].time_s < 9.9;) {
+                    const HeardText& then = house.transcript[j];
+                    if (!acts_s.empty() && acts_s.back() > then.time_s) break;
+                    ++compared;
+                    ASSERT_FALSE(then.text == now.text && then.language == now.language)
+                        << "seed " << seed << ": " << now.text;
+                }
+            }
+        }
+        EXPECT_GT(compared, 100U);
+    }
+}
+
 TEST(VisitRun, TheSameEventsGiveTheSameVisit) {
     const auto run = [] {
         std::mt19937 random(7);

@@ -239,6 +239,31 @@ TEST(Visit, TI6_GoodbyeRemindsOfStickAndHeadphones) {
     EXPECT_FALSE(house.has_said("USB-Stick", last)) << "there is none";
 }
 
+TEST(Visit, GoodbyeCountsThePicturesThatWereFelt) {
+    FakeHouse house;
+    HandleSeen moved;
+    moved.part = 0;
+    moved.has_moved = true;
+    to_choose(house);
+    ASSERT_TRUE(house.choose("Practice shape"));
+    house.wait(0.5);
+    house.apply(moved);
+    house.press(KeyRole::back);  // to the pictures
+    for (const char* title : {"Picture 5 en", "Picture 11 en", "Picture 5 en", "Picture 4 en"}) {
+        ASSERT_TRUE(house.choose(title));
+        house.wait(0.5);
+        if (title != std::string("Picture 4 en")) house.apply(moved);
+        ASSERT_TRUE(house.choose("Another picture"));
+    }
+    finish(house);
+    EXPECT_TRUE(house.has_said("You felt 2 pictures.", house.transcript.size() - 1))
+        << "neither practice nor one that was only open, and none twice: " << house.last_said();
+    house.wait(12.0);
+    house.press({KeyRole::select, KeyRole::select});
+    finish(house);
+    EXPECT_FALSE(house.has_said("You felt", house.transcript.size() - 1));
+}
+
 TEST(Visit, GoodbyeRemindsOfAStickThatIsThere) {
     FakeHouse house;
     house.press({KeyRole::select, KeyRole::select});
@@ -463,8 +488,11 @@ TEST(Visit, ER3_AStickThatIsBeingReadIsHeardToo) {
     to_choose(house);
     house.apply(StickArriving{});
     ASSERT_TRUE(house.choose("Your USB stick"));
+    EXPECT_NE(house.last_said().find("Your USB stick is being read."), std::string::npos);
     const std::size_t before = house.transcript.size();
-    house.wait(2.5);
+    house.wait(9.5);
+    EXPECT_FALSE(house.has_said("Your USB stick is being read.", before)) << "not so soon";
+    house.wait(1.5);
     EXPECT_TRUE(house.has_said("Your USB stick is being read.", before));
     house.apply(StickCame{{"boat"}, {}});
     EXPECT_TRUE(house.last_said().find("boat") != std::string::npos);
