@@ -65,8 +65,8 @@ constexpr double across_from = 0.6;
 constexpr int columns = 5;
 /// As shares of the picture's height: the middle row is a little higher than the others, so that a
 /// thing only somewhat off the middle is not said to be at the top or at the bottom.
-constexpr double kTop = 0.3;
-constexpr double kBottom = 0.7;
+constexpr double top_until = 0.3;
+constexpr double bottom_from = 0.7;
 
 struct ThingText {
     const char* one;
@@ -106,7 +106,7 @@ constexpr std::array<ThingText, thing_name_count> texts{{{"a person", "{0} peopl
                                                          {"a vehicle", "{0} vehicles"}}};
 
 /// The rows go from the top, the columns from the left.
-constexpr std::array<std::array<const char*, columns>, 3> kPlaces{
+constexpr std::array<std::array<const char*, columns>, 3> place_texts{
     {{"at the top left", "at the top, left of the middle", "at the top",
       "at the top, right of the middle", "at the top right"},
      {"on the left", "left of the middle", "in the middle", "right of the middle", "on the right"},
@@ -142,9 +142,9 @@ std::string place_of(const ThingBox& box, double largest_area, const Language& l
     if (largest_area >= most_from) return language.text("thing place", "in most of the picture");
     const double x = (box.left + box.right) / 2.0;
     const double y = (box.top + box.bottom) / 2.0;
-    const std::size_t row = y < kTop ? 0 : y <= kBottom ? 1 : 2;
+    const std::size_t row = y < top_until ? 0 : y <= bottom_from ? 1 : 2;
     const auto column = static_cast<std::size_t>(std::clamp(x * columns, 0.0, columns - 1.0));
-    return language.text("thing place", kPlaces[row][column]);
+    return language.text("thing place", place_texts[row][column]);
 }
 
 std::string place_of(const Group& group, const Language& language) {

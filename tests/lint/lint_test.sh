@@ -111,6 +111,11 @@ bad_text 'open("/wor''k/x");' 'a path of one machine'
 bad_text 'int y; ' 'blanks at the end'
 bad_text 'err << error.line;' 'printed as it came'
 start_tree
+write app/screen/window.cpp 'constexpr double kStep_mm = 0.5;'
+finds text 'app/screen/window.cpp:1:kStep_mm    <- a constant is written like all other names'
+write app/screen/window.cpp '// At 4 kHz, of 8 kB, from kT + t_d on.'
+passes text
+start_tree
 write app/screen/window.cpp 'mkstemp("mapXXXXXX");' 'auto home = "http/work/";'
 passes text
 seq 600 >"$tree/app/screen/window.cpp"

@@ -14,6 +14,8 @@ verdict "$(
     find_text 'blanks at the end of the line' -E '[[:blank:]]+$'
     find_text 'printed as it came: a name in it may command the terminal' -E \
         '(err <<|stder[r]).*(error\(\)\.line|error\.line|what\(\))' | grep '^app/' | grep -v 'plain_lin[e](' || true
+    cpp_sources | { xargs -0 -r grep -HnowE 'k[A-Z][A-Za-z0-9_]*' || true; } | grep -vE ':k(Hz|B|T)$' |
+        sed 's|$|    <- a constant is written like all other names|' || true
     texts | xargs -0 -r awk '
         FNR == 601 { print FILENAME ":601: longer than 600 lines" }
         FNR == 151 && FILENAME ~ /(^|\/)README\.md$/ { print FILENAME ":151: a README has at most 150 lines" }'

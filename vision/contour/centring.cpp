@@ -9,7 +9,7 @@
 namespace touchline {
 namespace {
 
-constexpr double kStep_px = 0.25;
+constexpr double ray_step_px = 0.25;
 constexpr double narrowest = 0.5;  // of the known width: a sound measurement
 constexpr double widest = 1.3;
 constexpr int smoothing_passes = 3;
@@ -41,9 +41,9 @@ std::optional<double> ink_ahead(const cv::Mat1f& darkness, const cv::Point2d& fr
                                 const cv::Point2d& way, double far_px) {
     double before = darkness_at(darkness, from);
     if (before < 1.0) return std::nullopt;
-    for (double d = kStep_px; d <= far_px; d += kStep_px) {
+    for (double d = ray_step_px; d <= far_px; d += ray_step_px) {
         const double here = darkness_at(darkness, from + d * way);
-        if (here < 1.0) return d - kStep_px * (1.0 - here) / (before - here);
+        if (here < 1.0) return d - ray_step_px * (1.0 - here) / (before - here);
         before = here;
     }
     return std::nullopt;
@@ -151,15 +151,15 @@ class Centring {
         const double far_px = 2.5 * line_.width_px + 2.0;
         double ahead_px = 0.0;
         while (ahead_px < far_px && is_inside(darkness_, at) && darkness_at(darkness_, at) >= 1.0) {
-            ahead_px += kStep_px;
+            ahead_px += ray_step_px;
             at = end.at + ahead_px * ray.direction;
         }
         if (!is_inside(darkness_, at)) {
             end.at = {std::clamp(at.x, -0.5, darkness_.cols - 0.5),
                       std::clamp(at.y, -0.5, darkness_.rows - 0.5)};
             points.insert(points.begin(), end);
-        } else if (ahead_px > 0.5 * line_.width_px + kStep_px) {
-            end.at += (ahead_px - kStep_px - 0.5 * line_.width_px) * ray.direction;
+        } else if (ahead_px > 0.5 * line_.width_px + ray_step_px) {
+            end.at += (ahead_px - ray_step_px - 0.5 * line_.width_px) * ray.direction;
             points.insert(points.begin(), end);
         }
     }

@@ -30,18 +30,18 @@ std::vector<EdgePoint> even_run(const std::vector<EdgePoint>& run, double spacin
 
 /// A ring without a fixed point: sampled from its first point, smoothed all round.
 Chain even_ring(std::vector<EdgePoint> ring, double spacing_px) {
-    constexpr int kOverlap = spacing_passes;
+    constexpr int overlap = spacing_passes;
     ring.push_back(ring.front());
     const double length = length_of({ring, false});
     const int n = std::max(4, static_cast<int>(std::lround(length / spacing_px)));
     std::vector<EdgePoint> even = evenly_spaced(ring, n);
     even.pop_back();
     std::vector<EdgePoint> round;
-    for (int i = -kOverlap; i < n + kOverlap; ++i) {
+    for (int i = -overlap; i < n + overlap; ++i) {
         round.push_back(even[static_cast<std::size_t>((i + n) % n)]);
     }
     smooth(round);
-    return {{round.begin() + kOverlap, round.end() - kOverlap}, true};
+    return {{round.begin() + overlap, round.end() - overlap}, true};
 }
 
 }  // namespace

@@ -17,10 +17,10 @@ namespace touchline {
 
 /// The shortest line worth a finger's time, in millimetres at the handle. Source of this and the
 /// next: guidance for raised-line pictures.
-inline constexpr double kShortestLine_mm = 4.0;
+inline constexpr double shortest_line_mm = 4.0;
 
 /// Two lines closer than this feel like one.
-inline constexpr double kLeastApart_mm = 3.2;
+inline constexpr double least_apart_mm = 3.2;
 
 /// One point of an edge line. Pixel (column, row) has its centre at (column, row).
 struct EdgePoint {
@@ -134,7 +134,7 @@ struct Ray {
 [[nodiscard]] double turn(const Ray& in, const Ray& out);
 
 /// A line that turns by less than this, in radians, goes straight on.
-inline constexpr double kStraightOn = 30.0 * std::numbers::pi / 180.0;
+inline constexpr double straight_on_rad = 30.0 * std::numbers::pi / 180.0;
 
 /// Returns the least-squares crossing of the lines along some rays; nothing if the determinant is
 /// below `least`. For two rays it is the square of the sine between them.

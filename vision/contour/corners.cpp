@@ -9,16 +9,16 @@
 namespace touchline {
 namespace {
 
-constexpr double kSample_px = 0.5;
+constexpr double sample_step_px = 0.5;
 constexpr double least_turn = 35.0 * std::numbers::pi / 180.0;
-constexpr double greatest_turn =
-    155.0 * std::numbers::pi / 180.0;    // a sharper turn is the end of a stroke
-constexpr double kLeastCourse_px = 2.5;  // of a course, to fit a line
-constexpr double kCourseSpan_px = 7.0;
-constexpr double kCourseStraight_px = 0.25;  // rms about the fitted line
+// A sharper turn is the end of a stroke.
+constexpr double greatest_turn = 155.0 * std::numbers::pi / 180.0;
+constexpr double least_course_px = 2.5;  // of a course, to fit a line
+constexpr double course_span_px = 7.0;
+constexpr double course_straight_px = 0.25;  // rms about the fitted line
 // An ideal corner between sides at angle a, blurred by sigma, is rounded by 0.5 sigma / sin(a/2).
 constexpr double rounding = 0.6;
-constexpr double kRoundingSlack_px = 1.2;  // noise
+constexpr double rounding_slack_px = 1.2;  // noise
 
 using Accepts = std::function<bool(const cv::Point2d&, double)>;
 
@@ -42,9 +42,9 @@ class EvenRun {
     EvenRun(const std::vector<EdgePoint>& points, bool is_ring, double blur_px)
         : is_ring_(is_ring), blur_px_(blur_px) {
         const double length = length_of({points, false});
-        const int n = std::max(1, static_cast<int>(std::lround(length / kSample_px)));
+        const int n = std::max(1, static_cast<int>(std::lround(length / sample_step_px)));
         samples_ = evenly_spaced(points, n);
-        step_px_ = length > 0.0 ? length / n : kSample_px;
+        step_px_ = length > 0.0 ? length / n : sample_step_px;
         if (is_ring) samples_.pop_back();
     }
 
@@ -66,8 +66,8 @@ class EvenRun {
     /// Returns at most the largest number that a run may have: a very short one has very short
     /// steps.
     int samples_in(double length_px) const {
-        constexpr double kMost = 1e8;
-        return static_cast<int>(std::min(length_px / step_px_, kMost));
+        constexpr double most_samples = 1e8;
+        return static_cast<int>(std::min(length_px / step_px_, most_samples));
     }
 
     bool has(int i) const { return is_ring_ || (i >= 0 && i < count()); }
@@ -126,8 +126,8 @@ class EvenRun {
     /// neighbour too.
     std::optional<FittedCourse> course(int apex, int side, int room, double skip_px) const {
         const int skip = std::min(samples_in(skip_px), (2 * room) / 5);
-        const int last = std::min(skip + samples_in(kCourseSpan_px + blur_px_), room - skip);
-        if (last - skip < samples_in(kLeastCourse_px)) return std::nullopt;
+        const int last = std::min(skip + samples_in(course_span_px + blur_px_), room - skip);
+        if (last - skip < samples_in(least_course_px)) return std::nullopt;
         const int first = apex + (side > 0 ? skip : -last);
         const int n = last - skip + 1;
         cv::Point2d sum;
@@ -169,7 +169,7 @@ class EvenRun {
             in = course(apex, -1, room_before, skip_px);
             out = course(apex, 1, room_after, skip_px);
             if (!in || !out ||
-                std::max(in->rms_px, out->rms_px) > kCourseStraight_px + 0.1 * blur_px_) {
+                std::max(in->rms_px, out->rms_px) > course_straight_px + 0.1 * blur_px_) {
                 return std::nullopt;
             }
             turn = angle_between(in->direction, out->direction);
@@ -184,7 +184,7 @@ class EvenRun {
         for (int i = corner.from; i <= corner.to; ++i) {
             rounding_px = std::min(rounding_px, distance(*vertex, sample(i).at));
         }
-        const double explained_px = rounding * blur_px_ / std::cos(0.5 * turn) + kRoundingSlack_px;
+        const double explained_px = rounding * blur_px_ / std::cos(0.5 * turn) + rounding_slack_px;
         return rounding_px <= explained_px ? std::optional(corner) : std::nullopt;
     }
 
@@ -223,7 +223,7 @@ class EvenRun {
 
     bool is_ring_;
     double blur_px_;
-    double step_px_ = kSample_px;
+    double step_px_ = sample_step_px;
     std::vector<EdgePoint> samples_;
 };
 

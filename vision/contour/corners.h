@@ -9,7 +9,7 @@
 namespace touchline {
 
 /// The blur of a drawing's edges, from the program or scanner that made it (Gaussian sigma).
-inline constexpr double kDrawingBlur_px = 0.7;
+inline constexpr double drawing_blur_px = 0.7;
 
 /// Replaces a rounded stretch by the crossing of the courses before and after it, a fixed point, if
 /// the line turns by more than 35 degrees within the reach of the blur and both courses are

@@ -11,12 +11,13 @@
 namespace touchline {
 namespace {
 
-constexpr double kDeep = 1.12;  // times the stroke's own depth: deeper ink belongs to two strokes
-constexpr double kDeepSlack_px = 0.8;     // whole pixels: a slanting stroke is now 2, now 2.8 deep
+// Times the stroke's own depth: deeper ink belongs to two strokes.
+constexpr double deep_over_depth = 1.12;
+constexpr double deep_slack_px = 0.8;     // whole pixels: a slanting stroke is now 2, now 2.8 deep
 constexpr double span_over_depth = 12.0;  // of a course, at most: the longer, the surer
-constexpr double kEndSpan_px = 24.0;
-constexpr double kLeastEnd_px = 3.0;
-constexpr double kStraightEnd_px = 0.7;  // rms about the fitted line
+constexpr double end_span_px = 24.0;
+constexpr double least_end_px = 3.0;
+constexpr double straight_end_px = 0.7;  // rms about the fitted line
 constexpr double own_part = 0.3;         // of an arm's depths: half the width of its stroke
 constexpr double long_over_depth = 6.0;  // shorter arms do not show it
 
@@ -53,7 +54,7 @@ std::pair<Ray, double> fitted(const Chain& arm, EndId end, double from_px, doubl
 
 constexpr double hairpin_turn = 145.0 * std::numbers::pi / 180.0;
 constexpr double hairpin_over_depth = 2.0;
-constexpr double kLeastHairpin_px = 6.0;
+constexpr double least_hairpin_px = 6.0;
 
 /// The points of an arm and the ink at them. In a ring the first comes after the last.
 class Way {
@@ -63,7 +64,7 @@ class Way {
         const double stroke_px = stroke_depth_px(depths_);
         limit_px_ = flowed_depth_px(stroke_px);
         bent_ = static_cast<int>(std::ceil(stroke_px));
-        span_ = static_cast<int>(std::max(kLeastHairpin_px, hairpin_over_depth * stroke_px));
+        span_ = static_cast<int>(std::max(least_hairpin_px, hairpin_over_depth * stroke_px));
     }
 
     /// Returns the middles of deep ink in which the arm turns back, in order.
@@ -150,7 +151,7 @@ double stroke_depth_px(const std::vector<float>& depths) {
 }
 
 double flowed_depth_px(double stroke_depth_px) {
-    return kDeep * stroke_depth_px + kDeepSlack_px;
+    return deep_over_depth * stroke_depth_px + deep_slack_px;
 }
 
 Courses::Courses(const Skeleton& skeleton, const cv::Mat1f& depth,
@@ -188,10 +189,10 @@ std::optional<Course> Courses::course_at(EndId end) const {
     const double length_px = length_of(arm);
     const double from_px = flowed_px(end);
     const double room_px = length_px - from_px - flowed_px(end ^ 1U);
-    double span_px = std::min(room_px, span_over_depth * depth_px(end) + kEndSpan_px);
-    while (span_px >= kLeastEnd_px) {
+    double span_px = std::min(room_px, span_over_depth * depth_px(end) + end_span_px);
+    while (span_px >= least_end_px) {
         const auto [ray, rms_px] = fitted(arm, end, from_px, span_px);
-        if (rms_px <= kStraightEnd_px) return Course{ray, from_px};
+        if (rms_px <= straight_end_px) return Course{ray, from_px};
         span_px *= 0.6;
     }
     return std::nullopt;

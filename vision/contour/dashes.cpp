@@ -13,20 +13,20 @@
 namespace touchline {
 namespace {
 
-constexpr double kLongestDash_mm = 7.0;
-constexpr double kWidestDot_mm = 3.0;
-constexpr double kWidestGap_mm = 4.2;
+constexpr double longest_dash_mm = 7.0;
+constexpr double widest_dot_mm = 3.0;
+constexpr double widest_gap_mm = 4.2;
 constexpr double most_bend = 60.0 * std::numbers::pi / 180.0;  // round the corner of a box
 constexpr double most_turn_at_dot = 90.0 * std::numbers::pi / 180.0;
 constexpr double most_turn_at_tip = 150.0 * std::numbers::pi / 180.0;
-constexpr double kCorner = 40.0 * std::numbers::pi / 180.0;  // a turn of less is a curve's
+constexpr double dash_corner_rad = 40.0 * std::numbers::pi / 180.0;  // a turn of less is a curve's
 constexpr double same_course = 0.03;  // the square of the sine between courses: they meet nowhere
 constexpr double dash_over_width = 1.4;
 constexpr std::size_t least_dashes = 3;
 constexpr std::size_t least_dots = 5;
-constexpr double kLike = 0.35;             // of the middle length or gap: alike
+constexpr double alike_share = 0.35;       // of the middle length or gap: alike
 constexpr double most_alike = 0.65;        // of the pieces: those at ends and corners are cut short
-constexpr double kField = 1.6;             // of the second nearest dot: so near are many others
+constexpr double field_ratio = 1.6;        // of the second nearest dot: so near are many others
 constexpr std::size_t most_at_tip = 4;     // so near
 constexpr std::size_t most_pieces = 2000;  // more are grain, or a tone that is printed in dots
 
@@ -50,7 +50,7 @@ std::optional<DashOrDot> piece_of_ring(const Chain& line, std::size_t number, do
     const cv::Size2d size(box.size);
     const double long_px = std::max(size.width, size.height);
     const double short_px = std::min(size.width, size.height);
-    if (short_px > kWidestDot_mm * mm_px || long_px > kLongestDash_mm * mm_px) return std::nullopt;
+    if (short_px > widest_dot_mm * mm_px || long_px > longest_dash_mm * mm_px) return std::nullopt;
     const double strength = line.points.front().strength;
     const cv::Point2d middle(box.center);
     const bool is_dot = long_px < dash_over_width * short_px;
@@ -77,7 +77,7 @@ std::vector<DashOrDot> pieces_of(const std::vector<Chain>& lines, double mm_px) 
             continue;
         }
         const double length_px = length_of(line) + line.width_px;  // its ends lie within its ink
-        if (length_px <= kLongestDash_mm * mm_px) {
+        if (length_px <= longest_dash_mm * mm_px) {
             pieces.push_back({i, line.points, length_px, line.width_px, false});
         }
     }
@@ -166,12 +166,12 @@ class Joiner {
         if (piece(a).is_dot || piece(b).is_dot) return straight;
         const Ray from_a{place(a), direction(a)};
         const Ray from_b{place(b), direction(b)};
-        if (angle_between(from_a.direction, -from_b.direction) < kCorner) return straight;
+        if (angle_between(from_a.direction, -from_b.direction) < dash_corner_rad) return straight;
         const auto corner = crossing_of({from_a, from_b}, same_course);
         if (!corner) return straight;
         const double ahead_a = (*corner - from_a.from).dot(from_a.direction);
         const double ahead_b = (*corner - from_b.from).dot(from_b.direction);
-        const double farthest_px = (kLongestDash_mm + 2.0 * kWidestGap_mm) * mm_px_;
+        const double farthest_px = (longest_dash_mm + 2.0 * widest_gap_mm) * mm_px_;
         if (ahead_a <= -beyond_px(a) || ahead_b <= -beyond_px(b) ||
             ahead_a + ahead_b > farthest_px) {
             return straight;
@@ -209,13 +209,13 @@ class Joiner {
             std::vector<std::pair<double, std::size_t>> apart;
             for (std::size_t j = 0; pieces_[i].is_dot && j < pieces_.size(); ++j) {
                 const double d = distance(pieces_[i].middle(), pieces_[j].middle());
-                if (j != i && pieces_[j].is_dot && d < 3.0 * kWidestGap_mm * mm_px_) {
+                if (j != i && pieces_[j].is_dot && d < 3.0 * widest_gap_mm * mm_px_) {
                     apart.emplace_back(d, j);
                 }
             }
             std::ranges::sort(apart);
-            is_amid[i] =
-                apart.size() > most_at_tip && apart[most_at_tip].first < kField * apart[1].first;
+            is_amid[i] = apart.size() > most_at_tip &&
+                         apart[most_at_tip].first < field_ratio * apart[1].first;
             for (std::size_t k = 0; k < std::min(most_at_tip, apart.size()); ++k) {
                 nearest[i].push_back(apart[k].second);
             }
@@ -235,7 +235,7 @@ class Joiner {
         for (EndId end = 0; end < 2 * pieces_.size(); ++end) {
             directions_.push_back(straight_direction(end));
         }
-        link_where(kWidestGap_mm * mm_px_, most_turn_at_dot, [](EndId) { return true; });
+        link_where(widest_gap_mm * mm_px_, most_turn_at_dot, [](EndId) { return true; });
         // Continues what was begun round a sharp tip of dots, or past a missing dash.
         link_where(usual_pitch_px(), most_turn_at_tip,
                    [&](EndId end) { return to_[end] != no_end || to_[end ^ 1U] != no_end; });
@@ -274,7 +274,7 @@ class Joiner {
                                   piece(end).length_px);
             }
         }
-        const double widest_px = kWidestGap_mm * mm_px_;
+        const double widest_px = widest_gap_mm * mm_px_;
         if (pitches.empty()) return widest_px;
         return std::max(widest_px, median_of(std::move(pitches)));
     }
@@ -292,7 +292,7 @@ class Joiner {
         const bool is_second_of_a_dot = (one.is_dot && is_back(a)) || (other.is_dot && is_back(b));
         if (&one == &other || is_second_of_a_dot || !are_of_a_kind(one, other) ||
             is_in_field_[chain_of(a)] || is_in_field_[chain_of(b)] ||
-            distance(place(a), place(b)) > kLongestDash_mm * mm_px_ + 2.0 * widest_gap_px) {
+            distance(place(a), place(b)) > longest_dash_mm * mm_px_ + 2.0 * widest_gap_px) {
             return;
         }
         const Gap gap = gap_between(a, b);
@@ -337,7 +337,7 @@ class Joiner {
         if (values.empty()) return true;
         const double usual = median_of(values);
         const auto like = std::ranges::count_if(values, [&](double value) {
-            return std::abs(value - usual) <= kLike * std::abs(usual) + 1.0;
+            return std::abs(value - usual) <= alike_share * std::abs(usual) + 1.0;
         });
         return static_cast<double>(like) >= most_alike * static_cast<double>(values.size());
     }

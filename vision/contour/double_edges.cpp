@@ -10,13 +10,13 @@
 namespace touchline {
 namespace {
 
-constexpr double most_of_line = 0.7;  // for the line to be a stroke of one width
-constexpr double least_cover = 0.7;   // of the shorter line, by points asked
-constexpr double kOpposite = 0.866;   // cosine of 30 degrees
-constexpr double kAcross = 0.819;     // cosine of 35 degrees
-constexpr double least_line = 2.0;    // length over width: less is a blob, not a stripe
-constexpr double least_ring = 3.0;    // half the way round over width; a disc has 1.6
-constexpr std::size_t every = 3;      // points of about 0.7 px: pairing needs no more of them
+constexpr double most_of_line = 0.7;       // for the line to be a stroke of one width
+constexpr double least_cover = 0.7;        // of the shorter line, by points asked
+constexpr double opposite_cosine = 0.866;  // cosine of 30 degrees
+constexpr double across_cosine = 0.819;    // cosine of 35 degrees
+constexpr double least_line = 2.0;         // length over width: less is a blob, not a stripe
+constexpr double least_ring = 3.0;         // half the way round over width; a disc has 1.6
+constexpr std::size_t every = 3;           // points of about 0.7 px: pairing needs no more of them
 
 /// What lies between two facing edges.
 enum class Stripe { dark, light };
@@ -36,9 +36,9 @@ std::optional<Stripe> stripe_between(const EdgePoint& p, const EdgePoint& q) {
     const cv::Point2d light_q(q.to_light[0], q.to_light[1]);
     const double at_p = over.dot(light_p);  // > 0: the light is between them
     const double at_q = -over.dot(light_q);
-    const bool is_across =
-        at_p * at_q > 0.0 && std::min(std::abs(at_p), std::abs(at_q)) > kAcross * cv::norm(over);
-    if (!is_across || light_p.dot(light_q) > -kOpposite) return std::nullopt;
+    const bool is_across = at_p * at_q > 0.0 && std::min(std::abs(at_p), std::abs(at_q)) >
+                                                    across_cosine * cv::norm(over);
+    if (!is_across || light_p.dot(light_q) > -opposite_cosine) return std::nullopt;
     return at_p < 0.0 ? Stripe::dark : Stripe::light;
 }
 

@@ -9,8 +9,8 @@
 namespace touchline {
 namespace {
 
-constexpr int kNone = -1;
-constexpr double kLeastRing_px = 4.0;  // smaller rings are pixels at which the normal turns round
+constexpr int no_crossing = -1;
+constexpr double least_ring_px = 4.0;  // smaller rings are pixels at which the normal turns round
 
 /// Slope and curvature of the strength along the edge normal at one pixel.
 struct Profile {
@@ -30,7 +30,7 @@ bool is_rising(float slope, const cv::Vec2f& normal) {
 /// two, one through each cell at that grid edge.
 struct Crossing {
     EdgePoint point;
-    std::array<int, 2> next{kNone, kNone};
+    std::array<int, 2> next{no_crossing, no_crossing};
 };
 
 class LineTracer {
@@ -44,7 +44,7 @@ class LineTracer {
         std::vector<bool> used(crossings_.size(), false);
         for (const bool ends_only : {true, false}) {  // open lines from their ends, then rings
             for (std::size_t i = 0; i < crossings_.size(); ++i) {
-                const bool is_end = crossings_[i].next[1] == kNone;
+                const bool is_end = crossings_[i].next[1] == no_crossing;
                 if (!used[i] && (is_end || !ends_only)) {
                     keep_if_strong(follow(static_cast<int>(i), used), chains);
                 }
@@ -71,30 +71,30 @@ class LineTracer {
                 n[0] * n[0] * dxx + 2.0F * n[0] * n[1] * dxy + n[1] * n[1] * dyy, n};
     }
 
-    /// Returns the crossing on the grid edge from pixel a to pixel b, or kNone.
+    /// Returns the crossing on the grid edge from pixel a to pixel b, or no_crossing.
     int crossing_between(cv::Point a, cv::Point b) {
         const float strength_a = field_.strength(a);
         const float strength_b = field_.strength(b);
         const auto low = static_cast<float>(limits_.low);
-        if (!(strength_a >= low) && !(strength_b >= low)) return kNone;
+        if (!(strength_a >= low) && !(strength_b >= low)) return no_crossing;
         const Profile at_a = profile(a.x, a.y);
         const Profile at_b = profile(b.x, b.y);
         const float sign = at_a.normal.dot(at_b.normal) < 0.0F ? -1.0F : 1.0F;
         const float slope_b = sign * at_b.slope;
         if (is_rising(at_a.slope, at_a.normal) == is_rising(slope_b, sign * at_b.normal)) {
-            return kNone;
+            return no_crossing;
         }
         const float change = at_a.slope - slope_b;
         const float t = change != 0.0F ? at_a.slope / change : 0.5F;
         const float strength = strength_a + t * (strength_b - strength_a);
         const float curvature = at_a.curvature + t * (at_b.curvature - at_a.curvature);
-        if (!(strength >= low) || !(curvature < 0.0F)) return kNone;
+        if (!(strength >= low) || !(curvature < 0.0F)) return no_crossing;
         const cv::Point2d where = cv::Point2d(a) + static_cast<double>(t) * cv::Point2d(b - a);
         const cv::Vec2f to_light = !field_.has_light_side    ? cv::Vec2f(0.0F, 0.0F)
                                    : strength_a > strength_b ? at_a.normal
                                                              : at_b.normal;
         crossings_.push_back(
-            {{where, static_cast<double>(strength), false, to_light}, {kNone, kNone}});
+            {{where, static_cast<double>(strength), false, to_light}, {no_crossing, no_crossing}});
         return static_cast<int>(crossings_.size()) - 1;
     }
 
@@ -118,7 +118,7 @@ class LineTracer {
     }
 
     std::vector<int> row_crossings(int y) {
-        std::vector<int> ids(static_cast<std::size_t>(field_.strength.cols), kNone);
+        std::vector<int> ids(static_cast<std::size_t>(field_.strength.cols), no_crossing);
         for (int x = 0; x + 1 < field_.strength.cols; ++x) {
             ids[static_cast<std::size_t>(x)] = crossing_between({x, y}, {x + 1, y});
         }
@@ -131,7 +131,7 @@ class LineTracer {
         std::array<int, 4> ids{};
         std::size_t count = 0;
         for (const int id : sides) {
-            if (id != kNone) ids[count++] = id;
+            if (id != no_crossing) ids[count++] = id;
         }
         while (count >= 2) {
             std::size_t best_i = 0;
@@ -157,16 +157,18 @@ class LineTracer {
         add_neighbour(crossings_[static_cast<std::size_t>(j)], i);
     }
 
-    static void add_neighbour(Crossing& c, int id) { c.next[c.next[0] == kNone ? 0 : 1] = id; }
+    static void add_neighbour(Crossing& c, int id) {
+        c.next[c.next[0] == no_crossing ? 0 : 1] = id;
+    }
 
     const Crossing& crossing(int id) const { return crossings_[static_cast<std::size_t>(id)]; }
 
     /// Follows the line from a crossing until it ends or comes round.
     Chain follow(int start, std::vector<bool>& used) const {
         Chain chain;
-        int previous = kNone;
+        int previous = no_crossing;
         int id = start;
-        while (id != kNone && !used[static_cast<std::size_t>(id)]) {
+        while (id != no_crossing && !used[static_cast<std::size_t>(id)]) {
             used[static_cast<std::size_t>(id)] = true;
             chain.points.push_back(crossing(id).point);
             const std::array<int, 2>& next = crossing(id).next;
@@ -180,7 +182,7 @@ class LineTracer {
 
     void keep_if_strong(Chain chain, std::vector<Chain>& chains) const {
         const auto is_strong = [&](const EdgePoint& p) { return p.strength >= limits_.high; };
-        const bool is_dot = chain.is_closed && length_of(chain) < kLeastRing_px;
+        const bool is_dot = chain.is_closed && length_of(chain) < least_ring_px;
         if (chain.points.size() >= 2 && !is_dot && std::ranges::any_of(chain.points, is_strong)) {
             chains.push_back(std::move(chain));
         }
@@ -191,12 +193,12 @@ class LineTracer {
     std::vector<Crossing> crossings_;
 };
 
-constexpr double kFinest_px = 1.0;  // below it, the pixel grid shows in the slopes
-constexpr double kPhoto_px = 2.5;   // best of 1, 1.4, 2, 2.5, 2.8, 4 on photos
-constexpr double drawing = 0.20;    // at most this part of the picture changes: a drawing
-constexpr double kPhoto = 0.40;     // at least this part: a photo
-constexpr double rounding_gradient =
-    0.3;  // gradient that 8-bit rounding and compression leave, per pixel
+constexpr double finest_sigma_px = 1.0;    // below it, the pixel grid shows in the slopes
+constexpr double photo_sigma_px = 2.5;     // best of 1, 1.4, 2, 2.5, 2.8, 4 on photos
+constexpr double drawing = 0.20;           // at most this part of the picture changes: a drawing
+constexpr double least_photo_part = 0.40;  // at least this part: a photo
+// The gradient that 8-bit rounding and compression leave, per pixel.
+constexpr double rounding_gradient = 0.3;
 constexpr double significance = 6.0;         // x gradient noise: 2e-8 of the pixels of pure noise
 constexpr double median_over_sigma = 1.177;  // of a Rayleigh distribution: the gradient of noise
 constexpr double mostly_noise = 2.5;  // measured over predicted gradient noise; photos 5 and more
@@ -230,8 +232,8 @@ Hysteresis hysteresis(double high) {
     return {low_over_high * high, high};
 }
 
-constexpr std::size_t kReach = 28;  // points: 20 pixels at 1.4 crossings of the grid a pixel
-constexpr double kExtent_px = 30.0;
+constexpr std::size_t reach_points = 28;  // points: 20 pixels at 1.4 crossings of the grid a pixel
+constexpr double extent_px = 30.0;
 
 }  // namespace
 
@@ -241,11 +243,12 @@ std::vector<Chain> edge_lines(const GradientField& field, const Hysteresis& limi
 
 double smoothing_for(const LabPicture& lab, double noise) {
     // The smallest sigma that brings the gradient's noise down to one grey level a pixel.
-    const double fine_px = std::clamp(kFinest_px * std::sqrt(gradient_noise(noise, kFinest_px)),
-                                      kFinest_px, kPhoto_px);
+    const double fine_px =
+        std::clamp(finest_sigma_px * std::sqrt(gradient_noise(noise, finest_sigma_px)),
+                   finest_sigma_px, photo_sigma_px);
     const double part = changing_part(lab, noise);
-    const double photo = std::clamp((part - drawing) / (kPhoto - drawing), 0.0, 1.0);
-    return fine_px + photo * (kPhoto_px - fine_px);
+    const double photo = std::clamp((part - drawing) / (least_photo_part - drawing), 0.0, 1.0);
+    return fine_px + photo * (photo_sigma_px - fine_px);
 }
 
 Hysteresis thresholds_for(const GradientField& field, double noise, double sigma_px) {
@@ -270,12 +273,12 @@ cv::Mat edge_strength(const std::vector<Chain>& lines, cv::Size size, double hig
     cv::Mat1b picture(size, uchar{0});
     for (const Chain& line : lines) {
         const std::size_t n = line.points.size();
-        const double extent = 1.0 - std::exp(-length_of(line) / kExtent_px);
+        const double extent = 1.0 - std::exp(-length_of(line) / extent_px);
         std::vector<double> sum(n + 1, 0.0);
         for (std::size_t i = 0; i < n; ++i) sum[i + 1] = sum[i] + line.points[i].strength;
         for (std::size_t i = 0; i < n; ++i) {
-            const std::size_t from = i > kReach ? i - kReach : 0;
-            const std::size_t to = std::min(n, i + kReach + 1);
+            const std::size_t from = i > reach_points ? i - reach_points : 0;
+            const std::size_t to = std::min(n, i + reach_points + 1);
             const double r = (sum[to] - sum[from]) / static_cast<double>(to - from) / high * extent;
             const cv::Point at(line.points[i].at);  // on the frame: beside the last pixel
             uchar& pixel =

@@ -11,18 +11,18 @@
 namespace touchline {
 namespace {
 
-constexpr float flat_step = 0.3F;       // share of the two colours' difference: less is no step
-constexpr float least_beside = 0.3F;    // share of the change at the border, on either side of it
-constexpr float both_beside = 1.0F;     // on both together
-constexpr double kTrue = 60.0;          // grey levels off the region's colour
-constexpr double plateau_spread = 4.0;  // grey levels off the region's colour, for a plateau
-constexpr double mostly_plateau = 0.6;  // of its pixels; in a band of a gradient it is half
-constexpr double mostly_soft = 0.75;    // of a border
-constexpr double kWidestBlur_px = 8.0;  // a wider band between two plateaus is not a blurred step
+constexpr float flat_step = 0.3F;     // share of the two colours' difference: less is no step
+constexpr float least_beside = 0.3F;  // share of the change at the border, on either side of it
+constexpr float both_beside = 1.0F;   // on both together
+constexpr double true_colour_levels = 60.0;  // grey levels off the region's colour
+constexpr double plateau_spread = 4.0;       // grey levels off the region's colour, for a plateau
+constexpr double mostly_plateau = 0.6;       // of its pixels; in a band of a gradient it is half
+constexpr double mostly_soft = 0.75;         // of a border
+constexpr double widest_blur_px = 8.0;  // a wider band between two plateaus is not a blurred step
 constexpr std::ptrdiff_t most_regions = 1500;  // more are grain: nothing but specks
-constexpr int kReach_px = 4;
-constexpr int kNearby_px = 9;
-constexpr int kLeastStretch_px = 30;
+constexpr int fading_reach_px = 4;
+constexpr int votes_within_px = 9;
+constexpr int least_stretch_px = 30;
 
 /// Two neighbouring pixels of two regions.
 struct Pair {
@@ -59,7 +59,7 @@ cv::Mat1b without_short_parts(const cv::Mat1b& mask) {
     std::ranges::transform(label, kept.begin(), [&](int part) {
         const int long_px =
             std::max(stats(part, cv::CC_STAT_WIDTH), stats(part, cv::CC_STAT_HEIGHT));
-        return part > 0 && long_px >= kLeastStretch_px ? uchar{255} : uchar{0};
+        return part > 0 && long_px >= least_stretch_px ? uchar{255} : uchar{0};
     });
     return kept;
 }
@@ -130,8 +130,9 @@ class Fading {
 
     void add(const cv::Point& p, const cv::Point& along) {
         const cv::Rect frame({}, map_.size());
-        if (!frame.contains(p - (kReach_px - 1) * along) ||
-            !frame.contains(p + (kReach_px + 1) * along) || !is_true(p) || !is_true(p + along)) {
+        if (!frame.contains(p - (fading_reach_px - 1) * along) ||
+            !frame.contains(p + (fading_reach_px + 1) * along) || !is_true(p) ||
+            !is_true(p + along)) {
             return;
         }
         pairs_.push_back({p, along, is_soft(p, along), is_step(p, along)});
@@ -141,8 +142,8 @@ class Fading {
     void ask_neighbours() {
         cv::Mat1f votes(map_.size(), 0.0F);
         for (const Pair& pair : pairs_) votes(pair.at) += pair.is_soft ? 1.0F : -1.0F;
-        cv::boxFilter(votes, votes, CV_32F, cv::Size(kNearby_px, kNearby_px), cv::Point(-1, -1),
-                      false, cv::BORDER_CONSTANT);
+        cv::boxFilter(votes, votes, CV_32F, cv::Size(votes_within_px, votes_within_px),
+                      cv::Point(-1, -1), false, cv::BORDER_CONSTANT);
         for (Pair& pair : pairs_) pair.is_soft = votes(pair.at) > 0.0F;
     }
 
@@ -163,7 +164,7 @@ class Fading {
 
     /// False for a speck that something else has grown over.
     [[nodiscard]] bool is_true(const cv::Point& p) const {
-        return cv::norm(lab_(p) - palette_[map_(p)]) < kTrue;
+        return cv::norm(lab_(p) - palette_[map_(p)]) < true_colour_levels;
     }
 
     [[nodiscard]] std::size_t region_at(const cv::Point& p) const {
@@ -185,8 +186,8 @@ class Fading {
         if (step <= at_once) {  // a line of a pixel or two: beyond it the colour is as before it
             return false;
         }
-        const float on = (lab_(p + (kReach_px + 1) * along) - after).dot(across) / step;
-        const float back = (before - lab_(p - (kReach_px - 1) * along)).dot(across) / step;
+        const float on = (lab_(p + (fading_reach_px + 1) * along) - after).dot(across) / step;
+        const float back = (before - lab_(p - (fading_reach_px - 1) * along)).dot(across) / step;
         return std::min(on, back) >= least_beside * step && on + back >= both_beside * step;
     }
 
@@ -194,7 +195,7 @@ class Fading {
     [[nodiscard]] bool is_step(const cv::Point& p, const cv::Point& along) const {
         const cv::Vec3f colours = palette_[map_(p + along)] - palette_[map_(p)];
         const cv::Vec3f nearby =
-            lab_(p + (kReach_px + 1) * along) - lab_(p - (kReach_px - 1) * along);
+            lab_(p + (fading_reach_px + 1) * along) - lab_(p - (fading_reach_px - 1) * along);
         return 2.0 * cv::norm(nearby) >= cv::norm(colours);
     }
 
@@ -225,7 +226,7 @@ class Fading {
 
     /// True if wider than a blur: its two sides are its border.
     [[nodiscard]] bool is_broad(std::size_t region) const {
-        return 2.0 * pixels_[region] > kWidestBlur_px * border_[region];
+        return 2.0 * pixels_[region] > widest_blur_px * border_[region];
     }
 
     /// Makes the second region part of the first, with its borders. A plateau and the blur of its

@@ -13,11 +13,11 @@
 namespace touchline {
 namespace {
 
-constexpr int kAround_px = 9;           // where a mark's own darkest point is looked for
+constexpr int darkest_within_px = 9;    // where a mark's own darkest point is looked for
 constexpr double of_its_darkest = 0.4;  // half is lost if a hair lies between two pixels
-constexpr int kMixed_px = 3;            // from a border: mixtures of both colours
+constexpr int mixed_px = 3;             // from a border: mixtures of both colours
 constexpr double most_uneven = 0.2;     // of an area's pixels; with more it is not a flat colour
-constexpr int kJustOutside_px = 2;
+constexpr int just_outside_px = 2;
 constexpr double faded_out = 0.4;     // of the contrast within: this little just outside of a mark
 constexpr double mostly_crisp = 0.6;  // of what is just outside
 constexpr int least_pixels = 8;       // fewer are a speck
@@ -135,7 +135,7 @@ class Finder {
                     piece_of[static_cast<std::size_t>(nearest(y, x))] = piece_(y, x);
         for (int y = 0; y < contrast_.rows; ++y)
             for (int x = 0; x < contrast_.cols; ++x) {
-                if (apart(y, x) < kJustOutside_px || apart(y, x) >= kJustOutside_px + 1) continue;
+                if (apart(y, x) < just_outside_px || apart(y, x) >= just_outside_px + 1) continue;
                 const int number = piece_of[static_cast<std::size_t>(nearest(y, x))];
                 PieceOfInk& piece = pieces_[static_cast<std::size_t>(number)];
                 ++piece.beside;
@@ -161,10 +161,10 @@ FineMarks fine_marks(const LabPicture& lab, const Areas& areas, const cv::Mat1b&
     const double floor = least_contrast(
         noise, noise < no_grain ? 0.0 : strongest_contrast(areas.palette, ground_of(areas.map)));
     cv::Mat1f contrast = contrast_to(lab, areas);
-    const cv::Mat1b mixed = near_borders(areas.map, kMixed_px + cvCeil(2.0 * smoothing_px));
+    const cv::Mat1b mixed = near_borders(areas.map, mixed_px + cvCeil(2.0 * smoothing_px));
     contrast.setTo(0.0, mixed);
     cv::Mat1f around;
-    cv::dilate(contrast, around, cv::Mat::ones(kAround_px, kAround_px, CV_8U));
+    cv::dilate(contrast, around, cv::Mat::ones(darkest_within_px, darkest_within_px, CV_8U));
     cv::Mat1b mask = cv::Mat(contrast >= cv::max(of_its_darkest * around, floor));
     mask &= on_even_areas(areas.map, cv::Mat(mask & ~strokes));
     cv::Mat known;  // with its soft edge

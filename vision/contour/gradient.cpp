@@ -10,8 +10,8 @@
 namespace touchline {
 namespace {
 
-constexpr double noise_quantile =
-    0.25;  // low: in a dense pattern most second differences are edges
+// Low, because in a dense pattern most second differences are edges.
+constexpr double noise_quantile = 0.25;
 constexpr double quantile_to_sigma = 1.0 / 0.31864;  // of a normal distribution
 constexpr double laplacian_gain = 6.0;               // root of the kernel's summed squares: 36
 constexpr float grey_levels_per_l = 2.55F;           // L runs 0..100
@@ -145,8 +145,8 @@ GradientField colour_gradient(const LabPicture& lab, double sigma_px) {
 }
 
 float quantile(const cv::Mat1f& values, double fraction) {
-    constexpr std::size_t kSample = 250000;
-    const std::size_t step = std::max<std::size_t>(1, values.total() / kSample);
+    constexpr std::size_t sample_count = 250000;
+    const std::size_t step = std::max<std::size_t>(1, values.total() / sample_count);
     std::vector<float> sample;
     sample.reserve(values.total() / step + 1);
     std::size_t next = 0;

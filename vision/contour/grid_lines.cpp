@@ -12,17 +12,17 @@
 namespace touchline {
 namespace {
 
-constexpr double least_pale = 0.0005;  // of the picture: less is no grid
-constexpr double kStraight = 0.03;     // of the picture's diagonal: length that identifies a line
-constexpr double kMostTilt_deg = 3.0;
-constexpr double kTiltStep_deg = 0.25;
+constexpr double least_pale = 0.0005;    // of the picture: less is no grid
+constexpr double straight_share = 0.03;  // of the picture's diagonal: length that identifies a line
+constexpr double most_tilt_deg = 3.0;
+constexpr double tilt_step_deg = 0.25;
 constexpr double long_enough = 0.25;  // of the longest line; others may be broken by marks on them
 constexpr std::size_t least_lines = 3;
-constexpr double gap_spread = 0.2;       // of the spacing
-constexpr double mostly_multiple = 0.7;  // of the gaps
-constexpr double kOnSpacing = 0.05;      // of the spacing: how near to it a broken line must lie
-constexpr double mostly_grid = 0.55;     // of everything that is as pale
-constexpr int kEdge_px = 2;              // beside a line, where remains of it may be
+constexpr double gap_spread = 0.2;         // of the spacing
+constexpr double mostly_multiple = 0.7;    // of the gaps
+constexpr double on_spacing_share = 0.05;  // of the spacing: how near to it a broken line must lie
+constexpr double mostly_grid = 0.55;       // of everything that is as pale
+constexpr int remains_within_px = 2;       // beside a line, where remains of it may be
 
 /// Places across lines of one direction, tilted by an angle: x cos - y sin, for example.
 struct Bundle {
@@ -86,7 +86,7 @@ class Counts {
 Bundle best_tilted(const std::vector<cv::Point>& points, bool is_level, cv::Size size) {
     Bundle best{is_level, 0.0};
     double sharpest = 0.0;
-    for (double deg = -kMostTilt_deg; deg <= kMostTilt_deg; deg += kTiltStep_deg) {
+    for (double deg = -most_tilt_deg; deg <= most_tilt_deg; deg += tilt_step_deg) {
         const Bundle bundle{is_level, std::tan(deg * std::numbers::pi / 180.0)};
         const double sharpness = Counts(points, bundle, size).sharpness();
         if (sharpness > sharpest) {
@@ -128,7 +128,7 @@ std::vector<Band> on_spacing(const std::vector<Band>& all, const std::vector<Ban
         for (const Band& line : lines) {
             nearest = std::min(nearest, std::abs(one.middle() - line.middle()));
         }
-        return nearest > 0.5 * spacing && is_multiple(nearest, spacing, kOnSpacing);
+        return nearest > 0.5 * spacing && is_multiple(nearest, spacing, on_spacing_share);
     });
     return found;
 }
@@ -136,7 +136,7 @@ std::vector<Band> on_spacing(const std::vector<Band>& all, const std::vector<Ban
 /// Returns the part of the pale strokes that lies on evenly spaced lines of one direction.
 cv::Mat1b on_even_lines(const cv::Mat1b& pale, bool is_level, double greatest_width_px) {
     cv::Mat1b found(pale.size(), uchar{0});
-    const int length = static_cast<int>(kStraight * std::hypot(pale.cols, pale.rows));
+    const int length = static_cast<int>(straight_share * std::hypot(pale.cols, pale.rows));
     cv::Mat1b straight;
     cv::morphologyEx(pale, straight, cv::MORPH_OPEN,
                      cv::Mat::ones(is_level ? cv::Size(length, 1) : cv::Size(1, length), CV_8U));
@@ -158,8 +158,8 @@ cv::Mat1b on_even_lines(const cv::Mat1b& pale, bool is_level, double greatest_wi
         const double place = bundle.place_of(p);
         found(p) = std::ranges::any_of(bands,
                                        [&](const Band& band) {
-                                           return place >= band.from - kEdge_px &&
-                                                  place <= band.to + kEdge_px;
+                                           return place >= band.from - remains_within_px &&
+                                                  place <= band.to + remains_within_px;
                                        })
                        ? 255
                        : 0;

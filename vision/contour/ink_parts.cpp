@@ -12,9 +12,9 @@
 namespace touchline {
 namespace {
 
-constexpr int kLeastArea_px = 8;  // less ink is a speck, less paper a pinhole
+constexpr int least_area_px = 8;  // less ink is a speck, less paper a pinhole
 constexpr double clearly_wide = 1.25;
-constexpr float kAlike = 0.2F;              // of the depth: along a stroke
+constexpr float alike_depth_share = 0.2F;   // of the depth: along a stroke
 constexpr double most_ridges_alike = 0.55;  // of the ridges
 constexpr double hair = 0.4;            // of the greatest width: always a stroke, however it swells
 constexpr double still_a_stroke = 1.1;  // of the greatest width: strokes of a piece stay strokes
@@ -26,10 +26,10 @@ constexpr double least_tail_over_width = 1.0;  // less that stands out of a wide
 
 /// Returns the part of a picture that holds all of a mask, with a rim outside it.
 cv::Rect part_with(const cv::Mat1b& mask) {
-    constexpr int kRim_px = 2;
+    constexpr int rim_px = 2;
     const cv::Rect box = cv::boundingRect(mask);
-    const cv::Rect around(box.tl() - cv::Point(kRim_px, kRim_px),
-                          box.size() + cv::Size(2 * kRim_px, 2 * kRim_px));
+    const cv::Rect around(box.tl() - cv::Point(rim_px, rim_px),
+                          box.size() + cv::Size(2 * rim_px, 2 * rim_px));
     return box.empty() ? cv::Rect() : around & cv::Rect({}, mask.size());
 }
 
@@ -40,7 +40,7 @@ void drop_specks(cv::Mat1b& mask, int neighbours) {
     cv::Mat1d centres;
     const int n = cv::connectedComponentsWithStats(mask, label, stats, centres, neighbours, CV_32S);
     for (int i = 1; i < n; ++i) {
-        if (stats(i, cv::CC_STAT_AREA) >= kLeastArea_px) continue;
+        if (stats(i, cv::CC_STAT_AREA) >= least_area_px) continue;
         const cv::Rect box(stats(i, cv::CC_STAT_LEFT), stats(i, cv::CC_STAT_TOP),
                            stats(i, cv::CC_STAT_WIDTH), stats(i, cv::CC_STAT_HEIGHT));
         mask(box).setTo(0, label(box) == i);
@@ -65,7 +65,7 @@ std::vector<float> usual_depths(const cv::Mat1f& depth, const cv::Mat1i& piece, 
         if (!ridges[i].empty()) {
             const float depth_px = median_of(ridges[i]);
             const auto alike = std::ranges::count_if(ridges[i], [depth_px](float each) {
-                return std::abs(each - depth_px) <= kAlike * depth_px + 0.5F;
+                return std::abs(each - depth_px) <= alike_depth_share * depth_px + 0.5F;
             });
             // Towards the corners of a shape its ridges have every depth.
             usual[i] = static_cast<double>(alike) >=

@@ -12,16 +12,18 @@
 namespace touchline {
 namespace {
 
-constexpr double kTurn = 35.0 * std::numbers::pi / 180.0;  // a smaller turn is a bend, not a corner
-const double kSharpest = std::pow(std::sin(8.0 * std::numbers::pi / 180.0), 2);  // below: parallel
-constexpr double beside_over_depth =
-    1.2;  // a place on the way of an arm, or a course through a crossing
+// A smaller turn is a bend, not a corner.
+constexpr double corner_turn_rad = 35.0 * std::numbers::pi / 180.0;
+// The square of the sine; below it, two courses are parallel.
+const double least_sine_squared = std::pow(std::sin(8.0 * std::numbers::pi / 180.0), 2);
+// A place on the way of an arm, or a course through a crossing.
+constexpr double beside_over_depth = 1.2;
 constexpr double blunt_over_depth = 2.0;  // of a place ahead of the skeleton's end in a blunt join
-constexpr double kCourse_px = 0.4;        // so far aside a course may lie; more along a sharp tip
-constexpr double kBeside_px = 1.0;
+constexpr double course_aside_px = 0.4;   // so far aside a course may lie; more along a sharp tip
+constexpr double joint_aside_px = 1.0;
 constexpr double tip_slack = 1.25;  // times the length of a mitre
 constexpr double tapered = 0.78;  // of the stroke's depth, on average: it is a mitre, not a stroke
-constexpr double kNoStroke_px = 6.0;  // longer than its width by at most this: too short for one
+constexpr double no_stroke_px = 6.0;  // longer than its width by at most this: too short for one
 constexpr double parallel = 15.0 * std::numbers::pi / 180.0;
 
 /// Returns the distance of a place from the line along a ray.
@@ -35,7 +37,7 @@ class Solver {
            const std::vector<double>& usual_depth_px)
         : skeleton_(skeleton), courses_(skeleton, depth, usual_depth_px), nodes_(skeleton.nodes) {
         found_.is_dropped.assign(skeleton.arms.size(), false);
-        node_of_.assign(2 * skeleton.arms.size(), kFree);
+        node_of_.assign(2 * skeleton.arms.size(), at_no_node);
         for (std::size_t node = 0; node < nodes_.size(); ++node)
             for (const EndId end : nodes_[node]) node_of_[end] = node;
     }
@@ -49,14 +51,14 @@ class Solver {
     }
 
   private:
-    static constexpr std::size_t kFree = std::numeric_limits<std::size_t>::max();
+    static constexpr std::size_t at_no_node = std::numeric_limits<std::size_t>::max();
 
     [[nodiscard]] const std::vector<EdgePoint>& points(EndId end) const {
         return skeleton_.arms[chain_of(end)].points;
     }
 
     [[nodiscard]] bool is_free(EndId end) const {
-        return !skeleton_.arms[chain_of(end)].is_closed && node_of_[end] == kFree;
+        return !skeleton_.arms[chain_of(end)].is_closed && node_of_[end] == at_no_node;
     }
 
     [[nodiscard]] std::vector<EndId> others_at(EndId end) const {
@@ -82,7 +84,7 @@ class Solver {
             const std::pair two(a[1], b[is_swapped ? 0 : 1]);
             if (!goes_on(one) || !goes_on(two)) continue;
             std::vector<EndId> ends{one.first, one.second, two.first, two.second};
-            const auto at = crossing_of(rays_of(ends), kSharpest);
+            const auto at = crossing_of(rays_of(ends), least_sine_squared);
             if (!at) return;
             found_.is_dropped[arm] = true;
             found_.solved.push_back(solved(*at, ends, {one, two}));
@@ -95,7 +97,7 @@ class Solver {
     [[nodiscard]] bool goes_on(const std::pair<EndId, EndId>& pair) const {
         const Ray& a = courses_.at(pair.first)->ray;
         const Ray& b = courses_.at(pair.second)->ray;
-        const double aside_px = 0.7 * courses_.depth_px(pair.first) + kBeside_px;
+        const double aside_px = 0.7 * courses_.depth_px(pair.first) + joint_aside_px;
         return turn(a, b) < parallel && beside(a, b.from) <= aside_px &&
                beside(b, a.from) <= aside_px;
     }
@@ -114,7 +116,7 @@ class Solver {
         const bool is_known = ends.size() >= 2 && std::ranges::all_of(ends, [&](EndId end) {
                                   return courses_.at(end).has_value();
                               });
-        const auto at = is_known ? crossing_of(rays_of(ends), kSharpest) : std::nullopt;
+        const auto at = is_known ? crossing_of(rays_of(ends), least_sine_squared) : std::nullopt;
         if (!at || !is_near(*at, ends)) return std::nullopt;
         const auto pairs = ends.size() == 2 ? corner(ends) : straight_on(ends);
         if (ends.size() == 2 && pairs.empty()) return std::nullopt;
@@ -147,8 +149,8 @@ class Solver {
     [[nodiscard]] bool is_bridge(std::size_t arm) const {
         const std::size_t front = node_of_[front_of(arm)];
         const std::size_t back = node_of_[back_of(arm)];
-        return front != kFree && back != kFree && front != back && !nodes_[front].empty() &&
-               !nodes_[back].empty();
+        return front != at_no_node && back != at_no_node && front != back &&
+               !nodes_[front].empty() && !nodes_[back].empty();
     }
 
     void solve(const std::vector<EndId>& ends) {
@@ -166,7 +168,7 @@ class Solver {
 
     [[nodiscard]] std::vector<std::pair<EndId, EndId>> corner(
         const std::vector<EndId>& ends) const {
-        if (turn(courses_.at(ends[0])->ray, courses_.at(ends[1])->ray) < kTurn) return {};
+        if (turn(courses_.at(ends[0])->ray, courses_.at(ends[1])->ray) < corner_turn_rad) return {};
         return {{ends[0], ends[1]}};
     }
 
@@ -177,8 +179,8 @@ class Solver {
             const Course& course = *courses_.at(end);
             const double ahead_px = course.ray.direction.dot(at - course.ray.from);
             return beside(course.ray, at) <=
-                       beside_over_depth * courses_.depth_px(end) + kBeside_px &&
-                   ahead_px > -kBeside_px && ahead_px < reach_px(end, ends);
+                       beside_over_depth * courses_.depth_px(end) + joint_aside_px &&
+                   ahead_px > -joint_aside_px && ahead_px < reach_px(end, ends);
         });
     }
 
@@ -191,9 +193,9 @@ class Solver {
                 sharpest = std::min(sharpest, angle_between(courses_.at(end)->ray.direction,
                                                             courses_.at(other)->ray.direction));
         }
-        const double half = std::max(0.5 * sharpest, 0.5 * kSharpest);
+        const double half = std::max(0.5 * sharpest, 0.5 * least_sine_squared);
         return courses_.at(end)->from_px +
-               tip_slack * 2.0 * courses_.depth_px(end) / std::sin(half) + kBeside_px;
+               tip_slack * 2.0 * courses_.depth_px(end) / std::sin(half) + joint_aside_px;
     }
 
     /// Best first, each end once.
@@ -203,7 +205,7 @@ class Solver {
         for (std::size_t i = 0; i < ends.size(); ++i)
             for (std::size_t j = i + 1; j < ends.size(); ++j)
                 if (const double angle = turn(courses_.at(ends[i])->ray, courses_.at(ends[j])->ray);
-                    angle < kStraightOn)
+                    angle < straight_on_rad)
                     all.push_back({angle, {ends[i], ends[j]}});
         std::ranges::stable_sort(all, {}, &std::pair<double, std::pair<EndId, EndId>>::first);
         std::vector<std::pair<EndId, EndId>> chosen;
@@ -234,7 +236,7 @@ class Solver {
     }
 
     [[nodiscard]] bool is_tip(EndId tip, const std::vector<EndId>& others) const {
-        const auto at = crossing_of(rays_of(others), kSharpest);
+        const auto at = crossing_of(rays_of(others), least_sine_squared);
         if (!at) return false;
         double sharpest = std::numbers::pi;
         double depth_px = 0.0;
@@ -244,15 +246,15 @@ class Solver {
                 sharpest = std::min(sharpest, angle_between(courses_.at(others[i])->ray.direction,
                                                             courses_.at(others[j])->ray.direction));
         }
-        const double sine = std::sin(0.5 * std::max(sharpest, kSharpest));
+        const double sine = std::sin(0.5 * std::max(sharpest, least_sine_squared));
         const double mitre_px = depth_px / sine;
         const Beyond beyond = beyond_of(tip, *at);
         const double most_aside_px = beyond.is_ahead
-                                         ? blunt_over_depth * depth_px + kCourse_px / sine
-                                         : beside_over_depth * depth_px + kBeside_px;
+                                         ? blunt_over_depth * depth_px + course_aside_px / sine
+                                         : beside_over_depth * depth_px + joint_aside_px;
         if (beyond.aside_px > most_aside_px) return false;
         if (beyond.length_px > tip_slack * mitre_px + 2.0) return false;
-        return beyond.length_px <= 2.0 * depth_px + kNoStroke_px ||
+        return beyond.length_px <= 2.0 * depth_px + no_stroke_px ||
                beyond.mean_depth_px <= tapered * depth_px + 0.3;
     }
 

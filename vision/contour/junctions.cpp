@@ -114,7 +114,7 @@ void JunctionSet::place(Junction& junction) {
             straightest = std::min(straightest, turn(rays[i], rays.back()));
         }
     }
-    const bool is_moved = !junction.is_on_line || straightest > kStraightOn;
+    const bool is_moved = !junction.is_on_line || straightest > straight_on_rad;
     if (is_moved) junction.at = place_of(rays, junction.at);
     join_through(junction.arms, rays);
     pin_arms(junction, is_moved);
@@ -138,7 +138,7 @@ void JunctionSet::join_through(const std::vector<EndId>& ends, const std::vector
     for (std::size_t i = 0; i < ends.size(); ++i) {
         for (std::size_t j = i + 1; j < ends.size(); ++j) {
             const double angle = turn(rays[i], rays[j]);
-            if (angle < kStraightOn) pairs.push_back({angle, i, j});
+            if (angle < straight_on_rad) pairs.push_back({angle, i, j});
         }
     }
     std::ranges::stable_sort(pairs, {}, &Pair::angle);

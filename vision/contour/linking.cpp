@@ -120,11 +120,11 @@ void close_along_frame(std::vector<Chain>& chains, cv::Size picture) {
     }
 }
 
-constexpr double kLeastCell_px = 4.0;         // a grid of smaller cells costs more than it saves
-constexpr double kRaySpan_px = 6.0;           // length of line that shows its direction
+constexpr double least_cell_px = 4.0;         // a grid of smaller cells costs more than it saves
+constexpr double ray_span_px = 6.0;           // length of line that shows its direction
 constexpr double own_gap_over_length = 0.05;  // a ring with a break is still a ring
-constexpr double cone =
-    70.0 * std::numbers::pi / 180.0;  // where a line may meet another, off its course
+// Where a line may meet another, off its course.
+constexpr double cone = 70.0 * std::numbers::pi / 180.0;
 
 /// Two ends that may be one line, and the cost of joining them in pixels.
 struct GapCandidate {
@@ -145,8 +145,8 @@ class Linker {
     Linked run() {
         lead_to_frame();
         const PointGrid grid(lines_, picture_,
-                             std::max({reach_.gap_px, reach_.junction_px, kLeastCell_px}));
-        JunctionSet junctions(reach_.blur_px, kRaySpan_px);
+                             std::max({reach_.gap_px, reach_.junction_px, least_cell_px}));
+        JunctionSet junctions(reach_.blur_px, ray_span_px);
         meet_ends(grid, junctions);
         const std::vector<std::optional<Meeting>> meetings = nearest_meetings(grid);
         const int gaps_closed = close_gaps(grid, meetings, junctions);
@@ -178,7 +178,7 @@ class Linker {
             lengths_.push_back(length_of(lines_[c]));
             for (const EndId end : {front_of(c), back_of(c)}) {
                 if (lines_[c].is_closed) continue;
-                rays_[end] = ray_at(lines_[c].points, is_back(end), 1.0, kRaySpan_px);
+                rays_[end] = ray_at(lines_[c].points, is_back(end), 1.0, ray_span_px);
                 EdgePoint last = point_at(end);
                 const std::optional<cv::Point2d> exit =
                     exit_near(last.at, rays_[end].direction, picture_, reach_.blur_px + 2.0);

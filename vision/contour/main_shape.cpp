@@ -13,16 +13,16 @@
 namespace touchline {
 namespace {
 
-constexpr int kCoarse_px = 160;  // longer side, for GrabCut
+constexpr int coarse_side_px = 160;  // longer side, for GrabCut
 constexpr double fine_pixels = 1.2e5;
-constexpr int kBorder_px = 2;  // of the coarse copy: at least this wide
+constexpr int coarse_border_px = 2;  // of the coarse copy: at least this wide
 constexpr int rounds = 2;
 constexpr double least_shape_part = 0.02;  // of the picture
 constexpr double greatest_part = 0.7;
 constexpr double greatest_on_frame = 0.3;   // of the outline
 constexpr double greatest_likeness = 0.55;  // of the colours inside and outside, 0 to 1
 constexpr double least_edge = 1.6;  // mean gradient on the outline, over the picture's median one
-constexpr double kSnap_px = 5.0;    // of the fine copy: how far off the coarse outline may be
+constexpr double snap_within_px = 5.0;  // of the fine copy: how far off the coarse outline may be
 
 /// Returns a copy of at most `side_px` on its longer side.
 cv::Mat sized(const cv::Mat& picture, int side_px) {
@@ -39,7 +39,7 @@ cv::Mat sized(const cv::Mat& picture, int side_px) {
 /// Returns how much each pixel differs from the colours of the border, grey levels, less far from
 /// the middle.
 cv::Mat1f salience(const LabPicture& lab) {
-    const int band = std::max(kBorder_px, std::min(lab.cols, lab.rows) / 20);
+    const int band = std::max(coarse_border_px, std::min(lab.cols, lab.rows) / 20);
     LabPicture border(2 * band, lab.cols + lab.rows);
     for (int i = 0; i < band; ++i) {
         for (int x = 0; x < lab.cols; ++x) {
@@ -77,7 +77,7 @@ cv::Mat1b seeded_by_salience(const LabPicture& lab) {
     const float limit = std::max(10.0F, 0.5F * quantile(unlike, 0.98));
     cv::Mat1b seed(lab.size(), uchar{cv::GC_PR_BGD});
     seed.setTo(cv::GC_PR_FGD, unlike > limit);
-    cv::rectangle(seed, cv::Rect({}, lab.size()), cv::GC_BGD, kBorder_px);
+    cv::rectangle(seed, cv::Rect({}, lab.size()), cv::GC_BGD, coarse_border_px);
     return seed;
 }
 
@@ -140,17 +140,19 @@ cv::Mat1b cut_out(const cv::Mat& coarse, const std::optional<cv::Point>& spot) {
 /// Returns the Bhattacharyya coefficient of the colours inside and outside: 0 if they have nothing
 /// in common, 1 if they are the same.
 double likeness(const LabPicture& lab, const cv::Mat1b& inside) {
-    constexpr int kBins = 10;
-    std::array<std::vector<double>, 2> histogram{std::vector<double>(kBins * kBins * kBins, 0.0),
-                                                 std::vector<double>(kBins * kBins * kBins, 0.0)};
+    constexpr int likeness_bins = 10;
+    std::array<std::vector<double>, 2> histogram{
+        std::vector<double>(likeness_bins * likeness_bins * likeness_bins, 0.0),
+        std::vector<double>(likeness_bins * likeness_bins * likeness_bins, 0.0)};
     std::array<double, 2> sum{};
     const auto cell = [](float value, float low, float size) {
-        return static_cast<int>(std::clamp((value - low) / size, 0.0F, kBins - 1.0F));
+        return static_cast<int>(std::clamp((value - low) / size, 0.0F, likeness_bins - 1.0F));
     };
     for (int y = 0; y < lab.rows; ++y) {
         for (int x = 0; x < lab.cols; ++x) {
             const cv::Vec3f& c = lab(y, x);
-            const int bin = (cell(c[0], 0.0F, 26.0F) * kBins + cell(c[1], -75.0F, 15.0F)) * kBins +
+            const int bin = (cell(c[0], 0.0F, 26.0F) * likeness_bins + cell(c[1], -75.0F, 15.0F)) *
+                                likeness_bins +
                             cell(c[2], -75.0F, 15.0F);
             const std::size_t side = inside(y, x) != 0 ? 1 : 0;
             histogram[side][static_cast<std::size_t>(bin)] += 1.0;
@@ -212,12 +214,12 @@ bool is_on_edges(Chain& ring, const cv::Mat1f& strength) {
 }  // namespace
 
 std::optional<Chain> main_shape(const cv::Mat& picture, std::optional<cv::Point2d> spot) {
-    constexpr int kLeast_px = 16;
-    if (std::min(picture.cols, picture.rows) < kLeast_px || picture.type() != CV_8UC3) {
+    constexpr int least_side_px = 16;
+    if (std::min(picture.cols, picture.rows) < least_side_px || picture.type() != CV_8UC3) {
         return std::nullopt;
     }
-    const cv::Mat coarse = sized(picture, kCoarse_px);
-    if (std::min(coarse.cols, coarse.rows) < kBorder_px) {  // a strip is nothing but border
+    const cv::Mat coarse = sized(picture, coarse_side_px);
+    if (std::min(coarse.cols, coarse.rows) < coarse_border_px) {  // a strip is nothing but border
         return std::nullopt;
     }
     std::optional<cv::Point> coarse_spot;
@@ -234,15 +236,15 @@ std::optional<Chain> main_shape(const cv::Mat& picture, std::optional<cv::Point2
         return std::nullopt;
     }
     const LabPicture fine = to_lab(reduced(picture, fine_pixels));
-    constexpr double kSmoothing_px = 1.5;
-    const cv::Mat1f strength = colour_gradient(fine, kSmoothing_px).strength;
+    constexpr double ring_smoothing_px = 1.5;
+    const cv::Mat1f strength = colour_gradient(fine, ring_smoothing_px).strength;
     std::optional<Chain> found = ring_round(object);
     if (!found) return std::nullopt;
     Chain& ring = *found;
     scale(ring, static_cast<double>(fine.cols) / coarse.cols,
           static_cast<double>(fine.rows) / coarse.rows);
     ring = resampled(ring, 1.0);
-    snap(ring, strength, kSnap_px);
+    snap(ring, strength, snap_within_px);
     ring = resampled(ring, 1.0);
     if (!is_on_edges(ring, strength)) return std::nullopt;
     scale(ring, static_cast<double>(picture.cols) / fine.cols,

@@ -9,14 +9,15 @@
 namespace touchline {
 namespace {
 
-constexpr int kBins = 32;       // along each axis
-constexpr float kBin = 8.0F;    // grey levels
-constexpr float kSame = 16.0F;  // colours nearer than this are one
-constexpr std::size_t kMost = 64;
-constexpr float kNear = 45.0F;  // a colour this near to a common one may be a ripple of it
+constexpr int colour_bins = 32;              // along each axis
+constexpr float bin_levels = 8.0F;           // grey levels
+constexpr float same_colour_levels = 16.0F;  // colours nearer than this are one
+constexpr std::size_t most_peaks = 64;
+// A colour this near to a common one may be a ripple of it.
+constexpr float near_colour_levels = 45.0F;
 constexpr double least_over_near = 0.006;  // of the common colour's pixels
 constexpr double least_ink_part = 0.0005;  // of the picture
-constexpr float kFlat = 6.0F;              // grey levels across two pixels
+constexpr float flat_levels = 6.0F;        // grey levels across two pixels
 
 struct Bin {
     cv::Vec3f sum;
@@ -32,9 +33,10 @@ float squared(const cv::Vec3f& d) {
 }
 
 std::size_t bin_of(const cv::Vec3f& lab) {
-    return static_cast<std::size_t>(
-        (cell(lab[0], 0.0F, kBin, kBins) * kBins + cell(lab[1], -128.0F, kBin, kBins)) * kBins +
-        cell(lab[2], -128.0F, kBin, kBins));
+    return static_cast<std::size_t>((cell(lab[0], 0.0F, bin_levels, colour_bins) * colour_bins +
+                                     cell(lab[1], -128.0F, bin_levels, colour_bins)) *
+                                        colour_bins +
+                                    cell(lab[2], -128.0F, bin_levels, colour_bins));
 }
 
 /// Returns whether a pixel is not a mixture along an axis: both sides of it are alike, as in the
@@ -48,8 +50,8 @@ bool is_plain(const LabPicture& lab, const cv::Point& at, const cv::Point& along
 
 /// Counts the colours of pixels that are not mixtures.
 std::vector<Bin> histogram(const LabPicture& lab, double noise) {
-    std::vector<Bin> bins(static_cast<std::size_t>(kBins * kBins * kBins));
-    const float flat = kFlat + 3.0F * static_cast<float>(noise);
+    std::vector<Bin> bins(static_cast<std::size_t>(colour_bins * colour_bins * colour_bins));
+    const float flat = flat_levels + 3.0F * static_cast<float>(noise);
     for (int y = 2; y + 2 < lab.rows; ++y) {
         for (int x = 2; x + 2 < lab.cols; ++x) {
             if (is_plain(lab, {x, y}, {1, 0}, flat) && is_plain(lab, {x, y}, {0, 1}, flat)) {
@@ -66,7 +68,8 @@ std::vector<Bin> histogram(const LabPicture& lab, double noise) {
 Bin around(const std::vector<Bin>& filled, const cv::Vec3f& colour) {
     Bin all;
     for (const Bin& bin : filled) {
-        if (squared(bin.sum * (1.0F / static_cast<float>(bin.count)) - colour) < kSame * kSame) {
+        if (squared(bin.sum * (1.0F / static_cast<float>(bin.count)) - colour) <
+            same_colour_levels * same_colour_levels) {
             all.sum += bin.sum;
             all.count += bin.count;
         }
@@ -83,7 +86,8 @@ cv::Vec3f mean_of(const Bin& bin) {
 double least_count(const Bin& peak, const std::vector<Bin>& found, double least) {
     double most = found.empty() ? 1.0 : std::max(1.0, least);
     for (const Bin& common : found) {
-        if (peak.count > 0 && squared(mean_of(peak) - mean_of(common)) < kNear * kNear) {
+        if (peak.count > 0 &&
+            squared(mean_of(peak) - mean_of(common)) < near_colour_levels * near_colour_levels) {
             most = std::max(most, least_over_near * common.count);
         }
     }
@@ -98,7 +102,7 @@ std::size_t first_of(std::vector<Run>& runs, std::size_t i) {
     return i;
 }
 
-constexpr int kPureReach_px = 3;  // how far away to look for the pure colours beside an edge
+constexpr int pure_reach_px = 3;  // how far away to look for the pure colours beside an edge
 constexpr float mixture = 14.0F;  // grey levels off the line between two colours
 constexpr float mixture_over_step = 0.12F;
 
@@ -152,10 +156,10 @@ class Mixtures {
         std::array<uchar, 8> near{};
         std::size_t n = 0;
         const uchar own = colours_(y, x);
-        for (int v = std::max(0, y - kPureReach_px);
-             v <= std::min(lab_.rows - 1, y + kPureReach_px); ++v) {
-            for (int u = std::max(0, x - kPureReach_px);
-                 u <= std::min(lab_.cols - 1, x + kPureReach_px); ++u) {
+        for (int v = std::max(0, y - pure_reach_px);
+             v <= std::min(lab_.rows - 1, y + pure_reach_px); ++v) {
+            for (int u = std::max(0, x - pure_reach_px);
+                 u <= std::min(lab_.cols - 1, x + pure_reach_px); ++u) {
                 const uchar c = colours_(v, u);
                 const bool is_new =
                     c != own && std::find(near.begin(), near.begin() + n, c) == near.begin() + n;
@@ -221,7 +225,7 @@ std::vector<cv::Vec3f> palette_of(const LabPicture& lab, double noise) {
     std::ranges::stable_sort(filled, std::greater<>(), &Bin::count);
     const double least = least_ink_part * static_cast<double>(lab.total());
     std::vector<Bin> found;
-    while (!filled.empty() && found.size() < kMost) {
+    while (!filled.empty() && found.size() < most_peaks) {
         Bin peak = around(filled, mean_of(filled.front()));
         peak = around(filled, mean_of(peak));  // one step uphill
         if (peak.count < least_count(peak, found, least)) {
@@ -231,8 +235,9 @@ std::vector<cv::Vec3f> palette_of(const LabPicture& lab, double noise) {
         }
         const cv::Vec3f colour = mean_of(peak);
         found.push_back(peak);
-        std::erase_if(
-            filled, [&](const Bin& bin) { return squared(mean_of(bin) - colour) < kSame * kSame; });
+        std::erase_if(filled, [&](const Bin& bin) {
+            return squared(mean_of(bin) - colour) < same_colour_levels * same_colour_levels;
+        });
     }
     std::vector<cv::Vec3f> palette;
     std::ranges::transform(found, std::back_inserter(palette), mean_of);
@@ -240,18 +245,19 @@ std::vector<cv::Vec3f> palette_of(const LabPicture& lab, double noise) {
 }
 
 cv::Mat1b nearest_colours(const LabPicture& lab, const std::vector<cv::Vec3f>& palette) {
-    constexpr int kFine = 64;          // cells along each axis: a table of the nearest, made as
+    constexpr int fine_cells = 64;     // cells along each axis: a table of the nearest, made as
     constexpr float fine_size = 4.0F;  // asked for
     constexpr uchar unknown = 255;
-    std::vector<uchar> table(static_cast<std::size_t>(kFine * kFine * kFine), unknown);
+    std::vector<uchar> table(static_cast<std::size_t>(fine_cells * fine_cells * fine_cells),
+                             unknown);
     cv::Mat1b nearest(lab.size());
     for (int y = 0; y < lab.rows; ++y) {
         for (int x = 0; x < lab.cols; ++x) {
             const cv::Vec3f& colour = lab(y, x);
-            const int l = cell(colour[0], 0.0F, fine_size, kFine);
-            const int a = cell(colour[1], -128.0F, fine_size, kFine);
-            const int b = cell(colour[2], -128.0F, fine_size, kFine);
-            uchar& known = table[static_cast<std::size_t>((l * kFine + a) * kFine + b)];
+            const int l = cell(colour[0], 0.0F, fine_size, fine_cells);
+            const int a = cell(colour[1], -128.0F, fine_size, fine_cells);
+            const int b = cell(colour[2], -128.0F, fine_size, fine_cells);
+            uchar& known = table[static_cast<std::size_t>((l * fine_cells + a) * fine_cells + b)];
             if (known == unknown) {
                 const cv::Vec3f centre((static_cast<float>(l) + 0.5F) * fine_size,
                                        (static_cast<float>(a) + 0.5F) * fine_size - 128.0F,

@@ -28,14 +28,14 @@ namespace {
 constexpr double speck_part = 0.001;        // of the picture: a smaller region is a speck
 constexpr double least_paper = 0.3;         // with less, the paper does not show the light
 constexpr std::ptrdiff_t least_points = 4;  // of the rest that a stroke leaves of a border
-constexpr double kBorderBlur_px = 1.5;
-constexpr double kBorderSpan_px = 8.0;
+constexpr double border_blur_px = 1.5;
+constexpr double border_span_px = 8.0;
 constexpr double calm = 1.0;  // grey levels of noise that need no smoothing
 
 /// Returns a sigma that brings noise down to a grey level or two, but rounds no corner by a pixel.
 double smoothing_for_noise(double noise) {
-    constexpr double kGreatest_px = 1.5;
-    return noise > calm ? std::min(kGreatest_px, 0.5 + 0.1 * noise) : 0.0;
+    constexpr double greatest_smoothing_px = 1.5;
+    return noise > calm ? std::min(greatest_smoothing_px, 0.5 + 0.1 * noise) : 0.0;
 }
 
 Reach reach_of_borders() {
@@ -102,7 +102,7 @@ Ink ink_of_marks(const cv::Mat1b& mask, const cv::Mat1f& contrast) {
     ink.mask = mask;
     ink.contrast = contrast;
     mask.convertTo(ink.darkness, CV_32F, 2.0 / 255.0);
-    cv::GaussianBlur(ink.darkness, ink.darkness, cv::Size(), kDrawingBlur_px);
+    cv::GaussianBlur(ink.darkness, ink.darkness, cv::Size(), drawing_blur_px);
     return ink;
 }
 
@@ -125,7 +125,7 @@ std::vector<Chain> broken_lines(const FineMarks& marks, double greatest_width_px
     if (cv::countNonZero(marks.bits) == 0) return {};
     std::vector<Chain> lines = with_dashes_joined(
         stroke_lines(ink_of_marks(marks.bits, marks.contrast), greatest_width_px),
-        greatest_width_px / kWidestStroke_mm);
+        greatest_width_px / widest_stroke_mm);
     std::erase_if(lines, [](const Chain& line) { return line.of == LineOf::edge; });
     return lines;
 }
@@ -158,7 +158,7 @@ std::vector<Chain> outside(const std::vector<Chain>& lines, const cv::Mat& mask)
 /// at an area meet its border.
 std::vector<Chain> joined(std::vector<Chain> lines, std::size_t strokes, cv::Size size,
                           double greatest_width_px) {
-    JunctionSet junctions(kBorderBlur_px, kBorderSpan_px);
+    JunctionSet junctions(border_blur_px, border_span_px);
     const PointGrid grid(lines, size, greatest_width_px);
     std::set<PointKey> met;
     std::set<PointKey> twice;
@@ -206,7 +206,7 @@ std::vector<Chain> region_lines(const LabPicture& lab, double noise, double grea
                reach_of_borders())
             .chains;
     for (Chain& line : borders) {
-        line = with_sharp_corners(line, std::hypot(flat.smoothing_px, kDrawingBlur_px));
+        line = with_sharp_corners(line, std::hypot(flat.smoothing_px, drawing_blur_px));
     }
     if (strokes == 0) return borders;
     std::ranges::move(borders, std::back_inserter(lines));

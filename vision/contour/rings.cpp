@@ -10,7 +10,7 @@ namespace touchline {
 namespace {
 
 /// The sides of a cell of four elements: above, right, below, left.
-enum Side : std::size_t { kAbove, kRight, kBelow, kLeft };
+enum Side : std::size_t { side_above, side_right, side_below, side_left };
 
 class RingTracer {
   public:
@@ -43,19 +43,19 @@ class RingTracer {
     /// follows it, high on the right, until it comes round.
     Chain ring_from(cv::Point cell) {
         Chain ring{{}, true};
-        Side out = kAbove;
+        Side out = side_above;
         do {
-            is_done_(cell) |= out == kAbove ? 1 : 0;
+            is_done_(cell) |= out == side_above ? 1 : 0;
             ring.points.push_back({crossing(cell, out)});
             cell = across(cell, out);
             out = way_out(cell, static_cast<Side>((out + 2) % 4));
-        } while (out != kAbove || is_done_(cell) == 0);
+        } while (out != side_above || is_done_(cell) == 0);
         return ring;
     }
 
     static cv::Point across(cv::Point cell, Side side) {
-        constexpr std::array<std::array<int, 2>, 4> kStep{{{0, -1}, {1, 0}, {0, 1}, {-1, 0}}};
-        return cell + cv::Point(kStep[side][0], kStep[side][1]);
+        constexpr std::array<std::array<int, 2>, 4> side_steps{{{0, -1}, {1, 0}, {0, 1}, {-1, 0}}};
+        return cell + cv::Point(side_steps[side][0], side_steps[side][1]);
     }
 
     /// Returns the elements at a side's ends, clockwise round the cell.

@@ -112,15 +112,15 @@ class Thinning {
     std::vector<std::vector<std::size_t>> queues_;  // by depth
 };
 
-constexpr std::size_t kFree = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t no_node = std::numeric_limits<std::size_t>::max();
 constexpr double spur_over_width = 0.8;
 constexpr double bridge_over_width = 1.0;
 constexpr double loop_over_width = 1.5;
 
 struct Arm {
     std::vector<cv::Point> pixels;
-    std::size_t from = kFree;  // node, or free
-    std::size_t to = kFree;
+    std::size_t from = no_node;  // node, or free
+    std::size_t to = no_node;
     bool is_closed = false;
     bool is_dropped = false;
 };
@@ -129,7 +129,7 @@ struct Node {
     cv::Point2d sum;
     double count = 0.0;  // pixels
     double depth = 0.0;  // greatest
-    std::size_t merged_into = kFree;
+    std::size_t merged_into = no_node;
 
     [[nodiscard]] cv::Point2d centre() const { return sum / count; }
 };
@@ -151,9 +151,9 @@ class Tracer {
   private:
     template <class Visit>
     void around(const cv::Point& p, Visit&& visit) const {
-        constexpr std::array<std::array<int, 2>, 8> kSteps{
+        constexpr std::array<std::array<int, 2>, 8> neighbour_steps{
             {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
-        for (const auto& [x, y] : kSteps) {
+        for (const auto& [x, y] : neighbour_steps) {
             const cv::Point q(p.x + x, p.y + y);
             if (frame_.contains(q)) visit(q);
         }
@@ -212,7 +212,7 @@ class Tracer {
             for (const cv::Point& p : pixels_) {
                 int n = 0;
                 around(p, [&](const cv::Point& q) { n += left_(q) != 0 ? 1 : 0; });
-                if (left_(p) != 0 && (n <= 1) == is_open) walk(p, kFree);
+                if (left_(p) != 0 && (n <= 1) == is_open) walk(p, no_node);
             }
         }
     }
@@ -242,14 +242,15 @@ class Tracer {
                 arm.to = static_cast<std::size_t>(node);
                 is_going = false;
             }
-            arm.is_closed = !is_going && from == kFree && node < 0 && is_at_start;
+            arm.is_closed = !is_going && from == no_node && node < 0 && is_at_start;
             here = next;
         }
         arms_.push_back(std::move(arm));
     }
 
     std::size_t root(std::size_t node) const {
-        while (node != kFree && nodes_[node].merged_into != kFree) node = nodes_[node].merged_into;
+        while (node != no_node && nodes_[node].merged_into != no_node)
+            node = nodes_[node].merged_into;
         return node;
     }
 
@@ -258,13 +259,13 @@ class Tracer {
         for (std::size_t i = 1; i < arm.pixels.size(); ++i) {
             sum += cv::norm(cv::Point2d(arm.pixels[i] - arm.pixels[i - 1]));
         }
-        if (arm.from != kFree) sum += distance(nodes_[arm.from].centre(), arm.pixels.front());
-        return arm.to != kFree ? sum + distance(nodes_[arm.to].centre(), arm.pixels.back()) : sum;
+        if (arm.from != no_node) sum += distance(nodes_[arm.from].centre(), arm.pixels.front());
+        return arm.to != no_node ? sum + distance(nodes_[arm.to].centre(), arm.pixels.back()) : sum;
     }
 
     void merge_bridged() {
         for (Arm& arm : arms_) {
-            if (arm.from == kFree || arm.to == kFree) continue;
+            if (arm.from == no_node || arm.to == no_node) continue;
             const std::size_t a = root(arm.from);
             const std::size_t b = root(arm.to);
             const double width_px = nodes_[a].depth + nodes_[b].depth;
@@ -290,9 +291,9 @@ class Tracer {
         std::vector<int> others(nodes_.size(), 0);
         for (std::size_t i = 0; i < arms_.size(); ++i) {
             const Arm& arm = arms_[i];
-            if (arm.is_dropped || (arm.from == kFree && arm.to == kFree)) continue;
-            const bool is_free = arm.from == kFree || arm.to == kFree;
-            const std::size_t node = root(arm.from != kFree ? arm.from : arm.to);
+            if (arm.is_dropped || (arm.from == no_node && arm.to == no_node)) continue;
+            const bool is_free = arm.from == no_node || arm.to == no_node;
+            const std::size_t node = root(arm.from != no_node ? arm.from : arm.to);
             if (is_free && length(arm) < spur_over_width * 2.0 * nodes_[node].depth + 0.5) {
                 spurs[node].push_back(i);
             } else {
@@ -314,12 +315,12 @@ class Tracer {
             made.arms.emplace_back();
             Chain& chain = made.arms.back();
             chain.is_closed = arm.is_closed;
-            if (arm.from != kFree) {
+            if (arm.from != no_node) {
                 chain.points.push_back({nodes_[root(arm.from)].centre()});
                 ends[root(arm.from)].push_back(front_of(i));
             }
             for (const cv::Point& p : arm.pixels) chain.points.push_back({cv::Point2d(p)});
-            if (arm.to != kFree) {
+            if (arm.to != no_node) {
                 chain.points.push_back({nodes_[root(arm.to)].centre()});
                 ends[root(arm.to)].push_back(back_of(i));
             }

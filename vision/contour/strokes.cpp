@@ -222,7 +222,7 @@ class StrokeTracer {
     Chain finished(Chain line) const {
         if (line.width_px > 0.0) line = centred(line, ink_.darkness);
         const double width_px = line.width_px;
-        line = with_sharp_corners(line, kDrawingBlur_px + rounding_over_width * width_px,
+        line = with_sharp_corners(line, drawing_blur_px + rounding_over_width * width_px,
                                   [&](const cv::Point2d& at, double turn) {
                                       return depth_near(at) >=
                                              depth_at_corner * width_px * std::cos(0.5 * turn);

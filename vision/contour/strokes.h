@@ -9,7 +9,7 @@
 namespace touchline {
 
 /// A hand feels the two edges of a wider stroke.
-inline constexpr double kWidestStroke_mm = 3.0;
+inline constexpr double widest_stroke_mm = 3.0;
 
 /// Returns the middle line of every stroke no wider than `greatest_width_px`, with its width
 /// (width_px), and the outline of everything wider (width_px 0) and of every dot.

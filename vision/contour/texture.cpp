@@ -13,7 +13,7 @@ namespace touchline {
 namespace {
 
 constexpr double cells_per_spacing = 2.0;
-constexpr double kSmoothing_cells = 3.0;
+constexpr double smoothing_cells = 3.0;
 constexpr double most_of_picture = 0.5;  // more is the picture itself
 constexpr double mostly_there = 0.5;
 constexpr int fewest_lines = 8;
@@ -86,7 +86,7 @@ class TextureMap {
         }
         cv::Mat1f inside(density_.size(), 1.0F);
         for (cv::Mat1f* map : {&density_, &inside}) {
-            cv::GaussianBlur(*map, *map, cv::Size(), kSmoothing_cells, kSmoothing_cells,
+            cv::GaussianBlur(*map, *map, cv::Size(), smoothing_cells, smoothing_cells,
                              cv::BORDER_CONSTANT);
         }
         density_ /= inside;

@@ -29,13 +29,13 @@ using Points = std::span<const std::size_t>;
 constexpr std::array<std::size_t, 36> oval{
     10,  338, 297, 332, 284, 251, 389, 356, 454, 323, 361, 288, 397, 365, 379, 378, 400, 377,
     152, 148, 176, 149, 150, 136, 172, 58,  132, 93,  234, 127, 162, 21,  54,  103, 67,  109};
-constexpr std::array<std::size_t, 6> kRidge{168, 6, 197, 195, 5, 4};
-constexpr std::array<std::size_t, 9> kNostrils{129, 64, 98, 97, 2, 326, 327, 294, 358};
+constexpr std::array<std::size_t, 6> nose_ridge{168, 6, 197, 195, 5, 4};
+constexpr std::array<std::size_t, 9> nostril_points{129, 64, 98, 97, 2, 326, 327, 294, 358};
 
 /// These points run from the top of the forehead over nose and lips to the chin.
-constexpr std::array<std::size_t, 26> kMiddle{10, 151, 9,  8,  168, 6,   197, 195, 5,
-                                              4,  1,   19, 94, 2,   164, 0,   11,  12,
-                                              15, 16,  17, 18, 200, 199, 175, 152};
+constexpr std::array<std::size_t, 26> middle_of_face{10, 151, 9,  8,  168, 6,   197, 195, 5,
+                                                     4,  1,   19, 94, 2,   164, 0,   11,  12,
+                                                     15, 16,  17, 18, 200, 199, 175, 152};
 
 /// A slit between two lines that begin and end in its corners.
 struct Slit {
@@ -54,11 +54,11 @@ constexpr std::array<std::size_t, 5> left_brow_bottom{46, 53, 52, 65, 55};
 constexpr std::array<std::size_t, 5> right_brow_top{336, 296, 334, 293, 300};
 constexpr std::array<std::size_t, 5> right_brow_bottom{285, 295, 282, 283, 276};
 
-constexpr Slit kLeftEye{left_upper_lid, left_lower_lid};
-constexpr Slit kRightEye{right_upper_lid, right_lower_lid};
-constexpr Slit kMouth{upper_lip, lower_lip};
-constexpr Slit kLeftBrow{left_brow_top, left_brow_bottom};
-constexpr Slit kRightBrow{right_brow_top, right_brow_bottom};
+constexpr Slit left_eye_slit{left_upper_lid, left_lower_lid};
+constexpr Slit right_eye_slit{right_upper_lid, right_lower_lid};
+constexpr Slit mouth_slit{upper_lip, lower_lip};
+constexpr Slit left_brow_slit{left_brow_top, left_brow_bottom};
+constexpr Slit right_brow_slit{right_brow_top, right_brow_bottom};
 
 /// Draws a line through points of the mesh. They are the corners of a net, which a hand must not
 /// feel: the line runs smoothly between them, and is sharp only in fixed ones.
@@ -153,8 +153,8 @@ struct EyeSigns {
 std::optional<EyeSigns> eye_signs(const cv::Mat3b& picture, const FaceMesh& mesh,
                                   const Slit& slit) {
     constexpr double beside = 0.15;  // of the eye's width: what counts as round it, at its sides
-    constexpr double kAbove = 0.4;   // likewise, above and below
-    constexpr double kLight = 0.75;
+    constexpr double above_and_below = 0.4;  // likewise, above and below
+    constexpr double light_quantile = 0.75;
     constexpr double left_out = 0.1;
     const cv::Point2d from = mesh[slit.upper.front()];
     const cv::Point2d along = mesh[slit.upper.back()] - from;
@@ -169,9 +169,9 @@ std::optional<EyeSigns> eye_signs(const cv::Mat3b& picture, const FaceMesh& mesh
     const std::vector<uchar> within = greys_within(picture, eye);
     const auto cheek = level_at(greys_within(picture, below), 0.5);
     const std::vector<uchar> around =
-        greys_within(picture, {at(-beside, -kAbove), at(1.0 + beside, -kAbove),
-                               at(1.0 + beside, kAbove), at(-beside, kAbove)});
-    const auto light = level_at(around, kLight);
+        greys_within(picture, {at(-beside, -above_and_below), at(1.0 + beside, -above_and_below),
+                               at(1.0 + beside, above_and_below), at(-beside, above_and_below)});
+    const auto light = level_at(around, light_quantile);
     const auto bright = level_at(within, 1.0 - left_out);
     const auto dark = level_at(within, left_out);
     if (!cheek || !light || !bright || !dark) return std::nullopt;
@@ -192,9 +192,11 @@ Sides sides_of(const FaceTurn& turn) {
 
 /// Returns the half of a mouth that is seen from the side, as one line.
 Chain half_mouth(const FaceMesh& mesh, bool is_left) {
-    constexpr std::size_t kHalf = 6;
-    return middle_line(mesh, is_left ? Slit{kMouth.upper.first(kHalf), kMouth.lower.first(kHalf)}
-                                     : Slit{kMouth.upper.last(kHalf), kMouth.lower.last(kHalf)});
+    constexpr std::size_t half_mouth_points = 6;
+    return middle_line(mesh, is_left ? Slit{mouth_slit.upper.first(half_mouth_points),
+                                            mouth_slit.lower.first(half_mouth_points)}
+                                     : Slit{mouth_slit.upper.last(half_mouth_points),
+                                            mouth_slit.lower.last(half_mouth_points)});
 }
 
 }  // namespace
@@ -216,7 +218,7 @@ bool shows_eyes(const cv::Mat3b& picture, const FaceMesh& mesh) {
     double contrast = 0.0;
     int eyes = 0;
     for (const auto& [slit, is_there] :
-         {std::pair(kLeftEye, sides.left), std::pair(kRightEye, sides.right)}) {
+         {std::pair(left_eye_slit, sides.left), std::pair(right_eye_slit, sides.right)}) {
         const auto signs = is_there ? eye_signs(picture, mesh, slit) : std::nullopt;
         if (!signs) continue;
         light_around += signs->light_around;
@@ -236,16 +238,16 @@ std::vector<PartLine> face_lines(const FaceMesh& mesh, bool has_eyes) {
     };
     add(!is_profile, FacePart::face, [&] { return through(mesh, oval, true); });
     add(has_eyes && sides.left, FacePart::left_eye,
-        [&] { return line_of(mesh, kLeftEye, closed_eye); });
+        [&] { return line_of(mesh, left_eye_slit, closed_eye); });
     add(has_eyes && sides.right, FacePart::right_eye,
-        [&] { return line_of(mesh, kRightEye, closed_eye); });
+        [&] { return line_of(mesh, right_eye_slit, closed_eye); });
     add(true, FacePart::mouth, [&] {
-        return is_profile ? half_mouth(mesh, sides.left) : line_of(mesh, kMouth, closed_mouth);
+        return is_profile ? half_mouth(mesh, sides.left) : line_of(mesh, mouth_slit, closed_mouth);
     });
-    add(!is_profile, FacePart::nose, [&] { return through(mesh, kRidge, false); });
-    add(sides.left, FacePart::left_brow, [&] { return middle_line(mesh, kLeftBrow); });
-    add(sides.right, FacePart::right_brow, [&] { return middle_line(mesh, kRightBrow); });
-    const Points nostrils(kNostrils);
+    add(!is_profile, FacePart::nose, [&] { return through(mesh, nose_ridge, false); });
+    add(sides.left, FacePart::left_brow, [&] { return middle_line(mesh, left_brow_slit); });
+    add(sides.right, FacePart::right_brow, [&] { return middle_line(mesh, right_brow_slit); });
+    const Points nostrils(nostril_points);
     const Points shown = sides.left && sides.right ? nostrils
                          : sides.left              ? nostrils.first(6)
                                                    : nostrils.last(6);
@@ -255,7 +257,7 @@ std::vector<PartLine> face_lines(const FaceMesh& mesh, bool has_eyes) {
 
 std::vector<std::vector<cv::Point2d>> face_halves(const FaceMesh& mesh) {
     std::vector<cv::Point2d> middle;  // from the forehead to the chin
-    for (const std::size_t i : kMiddle) middle.push_back(mesh[i]);
+    for (const std::size_t i : middle_of_face) middle.push_back(mesh[i]);
     std::vector<cv::Point2d> left = middle;
     std::vector<cv::Point2d> right = middle;
     constexpr std::size_t chin = oval.size() / 2;

@@ -15,7 +15,7 @@
 namespace touchline {
 namespace {
 
-constexpr int kParts = 48;  // of each side, which is some 10 to 20 mm long
+constexpr int parts_per_side = 48;  // of each side, which is some 10 to 20 mm long
 
 /// The two sides of a ring, from its first corner to its second, each in the same number of parts.
 struct RingSides {
@@ -39,7 +39,7 @@ std::optional<RingSides> sides_of(const Chain& ring) {
     std::vector<EdgePoint> lower(corner, points.end());
     lower.push_back(points.front());
     std::ranges::reverse(lower);
-    return RingSides{evenly_spaced(upper, kParts), evenly_spaced(lower, kParts)};
+    return RingSides{evenly_spaced(upper, parts_per_side), evenly_spaced(lower, parts_per_side)};
 }
 
 /// Returns the ring with its sides `factor` times as far apart.
@@ -55,14 +55,14 @@ Chain widened(const RingSides& sides, double factor) {
     return ring;
 }
 
-constexpr double kMargin_mm = 2.0;  // above the head, so that a finger can go round it
-constexpr double kStep_mm = 0.25;
-constexpr double kClear_mm = kLeastApart_mm + 0.5 * kStep_mm;  // of points
-constexpr double kMostMoved_mm = 3.0;
+constexpr double head_margin_mm = 2.0;  // above the head, so that a finger can go round it
+constexpr double face_step_mm = 0.25;
+constexpr double clear_of_lines_mm = least_apart_mm + 0.5 * face_step_mm;  // of points
+constexpr double most_moved_mm = 3.0;
 constexpr double least_shown = 0.4;  // of a part, or it is not shown at all
 
-constexpr ShapingScale outline_scale{kStep_mm, 0.7, 6.0};
-constexpr ShapingScale part_scale{kStep_mm, 0.3, 2.0};
+constexpr ShapingScale outline_scale{face_step_mm, 0.7, 6.0};
+constexpr ShapingScale part_scale{face_step_mm, 0.3, 2.0};
 
 int detail_of(FacePart part) {
     switch (part) {
@@ -111,10 +111,10 @@ cv::Rect2d part_shown(const cv::Rect2d& face, const std::vector<PartLine>& lines
     const double top = top_of(face, lines);
     const double height = face.br().y + shoulders * face.height - top;
     const double mm_per_px =
-        std::min((area_mm.height - kMargin_mm) / height,
-                 (area_mm.width - 2.0 * kMargin_mm) / ((1.0 + 2.0 * beside) * face.width));
+        std::min((area_mm.height - head_margin_mm) / height,
+                 (area_mm.width - 2.0 * head_margin_mm) / ((1.0 + 2.0 * beside) * face.width));
     const cv::Size2d size(area_mm.width / mm_per_px, area_mm.height / mm_per_px);
-    return {face.x + 0.5 * (face.width - size.width), top - kMargin_mm / mm_per_px, size.width,
+    return {face.x + 0.5 * (face.width - size.width), top - head_margin_mm / mm_per_px, size.width,
             size.height};
 }
 
@@ -156,7 +156,7 @@ cv::Point2d way_out(FacePart part, cv::Point2d across) {
 class FaceDrawing {
   public:
     explicit FaceDrawing(cv::Size2d area_mm)
-        : area_mm_(area_mm), spaced_(area_mm, kLeastApart_mm, kStep_mm) {}
+        : area_mm_(area_mm), spaced_(area_mm, least_apart_mm, face_step_mm) {}
 
     /// Adds the part of a line that lies in the area.
     void add_outline(FacePart part, const Chain& line) {
@@ -166,7 +166,7 @@ class FaceDrawing {
         };
         cut_by_place(shaped(line, outline_scale), is_within, [&](const Chain& stretch, bool is_in) {
             if (!is_in || stretch.points.size() < 2) return;
-            for (const Chain& simple : without_self_crossings(stretch, kShortestLine_mm)) {
+            for (const Chain& simple : without_self_crossings(stretch, shortest_line_mm)) {
                 add_spaced(part, {simple, false, false});
             }
         });
@@ -189,7 +189,7 @@ class FaceDrawing {
                     longest = stretch;
             });
         if (!longest || crosses_itself_in_map(*longest)) return;
-        const double least_mm = std::max(kShortestLine_mm, least_shown * length_of(line));
+        const double least_mm = std::max(shortest_line_mm, least_shown * length_of(line));
         if (length_of(*longest) >= least_mm) keep(part, {std::move(*longest), {}, {}, 0, {}});
     }
 
@@ -200,7 +200,7 @@ class FaceDrawing {
   private:
     [[nodiscard]] bool has_room(const EdgePoint& p) const {
         return p.at.x >= 0.0 && p.at.y >= 0.0 && p.at.x <= area_mm_.width &&
-               p.at.y <= area_mm_.height && !spaced_.has_near(p.at, kClear_mm);
+               p.at.y <= area_mm_.height && !spaced_.has_near(p.at, clear_of_lines_mm);
     }
 
     [[nodiscard]] bool is_clear(const Chain& line) const {
@@ -210,7 +210,7 @@ class FaceDrawing {
     /// Returns the line moved as little as needed, or unchanged if that is too far.
     [[nodiscard]] Chain clear_of_others(const Chain& line, cv::Point2d way) const {
         if (way == cv::Point2d() || is_clear(line)) return line;
-        for (double by_mm = kStep_mm; by_mm <= kMostMoved_mm; by_mm += kStep_mm) {
+        for (double by_mm = face_step_mm; by_mm <= most_moved_mm; by_mm += face_step_mm) {
             for (const double sign : {1.0, -1.0}) {
                 Chain moved = line;
                 for (EdgePoint& p : moved.points) p.at += sign * by_mm * way;
@@ -224,7 +224,7 @@ class FaceDrawing {
     /// misses nothing of it.
     [[nodiscard]] bool runs_beside(const Chain& line) const {
         return std::ranges::all_of(line.points, [&](const EdgePoint& p) {
-            return spaced_.has_near(p.at, 2.0 * kLeastApart_mm);
+            return spaced_.has_near(p.at, 2.0 * least_apart_mm);
         });
     }
 
@@ -236,7 +236,7 @@ class FaceDrawing {
             open.pop_back();
             if (!fit) continue;
             std::ranges::move(fit->rest, std::back_inserter(open));
-            const bool is_felt = length_of(fit->line) >= kShortestLine_mm &&
+            const bool is_felt = length_of(fit->line) >= shortest_line_mm &&
                                  (part == FacePart::person || !runs_beside(fit->line));
             if (is_felt) keep(part, std::move(*fit));
         }
@@ -260,7 +260,7 @@ void shorten_ridge(std::vector<PartLine>& lines) {
     std::vector<EdgePoint>& ridge = nose->line.points;
     const auto is_near = [&](const EdgePoint& p) {
         return std::ranges::any_of(nostrils->line.points, [&](const EdgePoint& other) {
-            return distance(p.at, other.at) < kClear_mm + kStep_mm;
+            return distance(p.at, other.at) < clear_of_lines_mm + face_step_mm;
         });
     };
     ridge.erase(std::ranges::find_if(ridge, is_near), ridge.end());
@@ -277,11 +277,11 @@ std::vector<PartLine> on_area(const std::vector<PartLine>& lines, const cv::Rect
         if (part == FacePart::person) {
             outlines.push_back(std::move(line));
         } else {
-            const SpacingScale scale{area_mm, kLeastApart_mm, kStep_mm};
+            const SpacingScale scale{area_mm, least_apart_mm, face_step_mm};
             placed.push_back({part, opened_for_finger(line, scale)});
         }
     }
-    for (Chain& line : with_breaks_closed(std::move(outlines), kSmallBreak_mm)) {
+    for (Chain& line : with_breaks_closed(std::move(outlines), small_break_mm)) {
         placed.push_back({FacePart::person, std::move(line)});
     }
     std::ranges::stable_sort(placed, {}, [](const PartLine& line) {
@@ -302,8 +302,8 @@ Chain middle_of(const Chain& ring) {
 }
 
 Chain opened_for_finger(const Chain& ring, const SpacingScale& scale) {
-    constexpr double kLeastOpening_mm = 3.6;
-    constexpr double kMostOpening_mm = 6.0;
+    constexpr double least_opening_mm = 3.6;
+    constexpr double most_opening_mm = 6.0;
     const auto sides = sides_of(ring);
     if (!sides) return ring;
     double opening_mm = 0.0;
@@ -311,9 +311,9 @@ Chain opened_for_finger(const Chain& ring, const SpacingScale& scale) {
         opening_mm = std::max(opening_mm, distance(sides->upper[i].at, sides->lower[i].at));
     }
     if (!(opening_mm > 0.0)) return ring;
-    double wanted_mm = std::max(kLeastOpening_mm, opening_mm);
+    double wanted_mm = std::max(least_opening_mm, opening_mm);
     Chain opened = widened(*sides, wanted_mm / opening_mm);
-    while (wanted_mm < kMostOpening_mm && too_near_itself(opened, scale)) {
+    while (wanted_mm < most_opening_mm && too_near_itself(opened, scale)) {
         wanted_mm += scale.step_mm;
         opened = widened(*sides, wanted_mm / opening_mm);
     }

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t most_boxes = 16;
 constexpr double least_likelihood = 0.5;
 constexpr double shared = 0.3;  // of a box: then it is the same face again
-constexpr double kLeastSide_px = 4.0;
+constexpr double least_box_px = 4.0;
 
 cv::Point2d anchor(int row) {
     struct Level {
@@ -23,17 +23,17 @@ cv::Point2d anchor(int row) {
 
     const Level level = row < 512 ? Level{0, 16, 2} : Level{512, 32, 6};
     const int place = (row - level.first) / level.at_each_place;
-    const int across = kFaceInput_px / level.stride_px;
+    const int across = face_input_px / level.stride_px;
     return {(place % across + 0.5) * level.stride_px, (place / across + 0.5) * level.stride_px};
 }
 
 bool is_box_of_the_input(const FaceBox& found) {
     const cv::Rect2d& box = found.box;
     const cv::Point2d centre = centre_of(box);
-    const cv::Rect2d input(0.0, 0.0, kFaceInput_px, kFaceInput_px);
+    const cv::Rect2d input(0.0, 0.0, face_input_px, face_input_px);
     const double reach_px = 1.5 * std::max(box.width, box.height);
-    return box.width >= kLeastSide_px && box.height >= kLeastSide_px &&
-           std::max(box.width, box.height) <= 1.5 * kFaceInput_px && input.contains(centre) &&
+    return box.width >= least_box_px && box.height >= least_box_px &&
+           std::max(box.width, box.height) <= 1.5 * face_input_px && input.contains(centre) &&
            cv::norm(found.left_eye - centre) <= reach_px &&
            cv::norm(found.right_eye - centre) <= reach_px && found.left_eye != found.right_eye;
 }
@@ -55,8 +55,9 @@ bool is_apart(const FaceBox& box, const std::vector<FaceBox>& others) {
     });
 }
 
-constexpr int kMesh_px = 192;       // side of its input
-constexpr double kAround = 1.5;     // side of what the mesh's network sees, in sides of the face
+constexpr int mesh_input_px = 192;  // side of its input
+// The side of what the mesh's network sees, in sides of the face.
+constexpr double window_over_face = 1.5;
 constexpr double least_sure = 0.9;  // measured: tests/lab/bench/vision/faces_and_names.md
 constexpr std::size_t most_persons = 8;
 constexpr std::size_t most_faces = 8;
@@ -72,7 +73,7 @@ struct Window {
 Window window_of(const FaceBox& found) {
     const cv::Point2d across = found.right_eye - found.left_eye;
     const cv::Rect2d& box = found.box;
-    return {centre_of(box), kAround * std::max(box.width, box.height),
+    return {centre_of(box), window_over_face * std::max(box.width, box.height),
             std::atan2(across.y, across.x)};
 }
 
@@ -86,16 +87,16 @@ Window window_of(const FaceMesh& mesh) {
     const cv::Rect2d box = box_of(upright);
     const cv::Point2d centre = centre_of(box);
     return {{c * centre.x - s * centre.y, s * centre.x + c * centre.y},
-            kAround * std::max(box.width, box.height),
+            window_over_face * std::max(box.width, box.height),
             tilt_rad};
 }
 
 /// Maps pixels of the window's square to pixels of the picture.
 cv::Matx23d from_window(const Window& window) {
-    const double scale = window.side_px / kMesh_px;
+    const double scale = window.side_px / mesh_input_px;
     const double c = scale * std::cos(window.tilt_rad);
     const double s = scale * std::sin(window.tilt_rad);
-    const double half = 0.5 * kMesh_px;
+    const double half = 0.5 * mesh_input_px;
     return {c, -s, window.centre.x - c * half + s * half,
             s, c,  window.centre.y - s * half - c * half};
 }
@@ -104,12 +105,12 @@ cv::Matx23d from_window(const Window& window) {
 /// than the window's square is first reduced by averaging. Empty if the window lies beside the
 /// picture.
 cv::Mat3b seen_in(const cv::Mat3b& picture, const Window& window) {
-    constexpr double kReach = 0.75;  // of the side: half of the diagonal, and a little
-    const cv::Point2d reach(kReach * window.side_px, kReach * window.side_px);
+    constexpr double reach_over_side = 0.75;  // of the side: half of the diagonal, and a little
+    const cv::Point2d reach(reach_over_side * window.side_px, reach_over_side * window.side_px);
     const cv::Rect part =
         part_within({window.centre - reach, window.centre + reach}, picture.size());
     if (part.empty()) return {};
-    const double scale = std::min(1.0, 2.0 * kMesh_px / window.side_px);
+    const double scale = std::min(1.0, 2.0 * mesh_input_px / window.side_px);
     cv::Mat3b reduced = picture(part);
     const cv::Size size(std::max(1, cvRound(scale * part.width)),
                         std::max(1, cvRound(scale * part.height)));
@@ -120,7 +121,7 @@ cv::Mat3b seen_in(const cv::Mat3b& picture, const Window& window) {
         way(1, k) = (way(1, k) - (k == 2 ? part.y : 0)) * reduced.rows / part.height;
     }
     cv::Mat3b seen;
-    cv::warpAffine(reduced, seen, way, {kMesh_px, kMesh_px},
+    cv::warpAffine(reduced, seen, way, {mesh_input_px, mesh_input_px},
                    cv::INTER_LINEAR | cv::WARP_INVERSE_MAP, cv::BORDER_REPLICATE);
     return seen;
 }
@@ -135,7 +136,7 @@ std::optional<FaceMesh> mesh_of(const cv::Mat1f& answer, const Window& window) {
         const auto k = static_cast<int>(3 * i);  // the third is a depth
         const double x = static_cast<double>(answer(0, k));
         const double y = static_cast<double>(answer(0, k + 1));
-        if (!(std::max(std::abs(x), std::abs(y)) <= 2.0 * kMesh_px)) return std::nullopt;
+        if (!(std::max(std::abs(x), std::abs(y)) <= 2.0 * mesh_input_px)) return std::nullopt;
         mesh[i] = way * cv::Vec3d(x, y, 1.0);
     }
     const cv::Rect2d box = box_of(mesh);
@@ -147,7 +148,7 @@ std::optional<FaceMesh> mesh_of(const cv::Mat1f& answer, const Window& window) {
 bool counts(const FaceMesh& mesh, std::span<const cv::Rect2d> persons) {
     constexpr double widest = 1.2;  // in widths of the person: boxes of heads are tight
     const cv::Rect2d face = box_of(mesh);
-    if (!(face.width >= kLeastFace_px)) return false;
+    if (!(face.width >= least_face_px)) return false;
     return std::ranges::any_of(persons, [&](const cv::Rect2d& person) {
         return person.contains(centre_of(face)) && face.width <= widest * person.width;
     });
@@ -165,13 +166,13 @@ std::vector<cv::Rect2d> boxes_within(std::span<const cv::Rect2d> boxes, cv::Size
 
 /// Returns the upper end of a person, where the head is.
 cv::Rect head_part(const cv::Rect2d& person, cv::Size picture) {
-    constexpr double kLeastPart_px = 40.0;
-    constexpr double side = 0.9;    // of the person's width
-    constexpr double kAbove = 0.1;  // of the side: hair above the box
-    const double side_px = std::max(kLeastPart_px, side * person.width);
-    return part_within(
-        {person.x + 0.5 * (person.width - side_px), person.y - kAbove * side_px, side_px, side_px},
-        picture);
+    constexpr double least_part_px = 40.0;
+    constexpr double side = 0.9;       // of the person's width
+    constexpr double above_box = 0.1;  // of the side: hair above the box
+    const double side_px = std::max(least_part_px, side * person.width);
+    return part_within({person.x + 0.5 * (person.width - side_px), person.y - above_box * side_px,
+                        side_px, side_px},
+                       picture);
 }
 
 void add_unless_there(const FaceMesh& mesh, std::vector<FaceMesh>& faces) {
@@ -219,10 +220,10 @@ Result<FaceNetwork> FaceNetwork::from_onnx(std::span<const std::byte> finder,
 
 /// The part lies in the upper left of the input, as large as fits; the rest is black.
 Result<std::vector<FaceBox>> FaceNetwork::boxes_in(const cv::Mat3b& picture, cv::Rect part) {
-    const double scale = static_cast<double>(kFaceInput_px) / std::max(part.width, part.height);
-    const cv::Size size(std::clamp(cvRound(scale * part.width), 1, kFaceInput_px),
-                        std::clamp(cvRound(scale * part.height), 1, kFaceInput_px));
-    cv::Mat3b square(kFaceInput_px, kFaceInput_px, cv::Vec3b(0, 0, 0));
+    const double scale = static_cast<double>(face_input_px) / std::max(part.width, part.height);
+    const cv::Size size(std::clamp(cvRound(scale * part.width), 1, face_input_px),
+                        std::clamp(cvRound(scale * part.height), 1, face_input_px));
+    cv::Mat3b square(face_input_px, face_input_px, cv::Vec3b(0, 0, 0));
     stretched(picture(part), size).copyTo(square(cv::Rect({}, size)));
     const cv::Mat input =
         cv::dnn::blobFromImage(square, 1.0 / 127.5, {}, cv::Scalar::all(127.5), true, false);

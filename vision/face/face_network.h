@@ -21,7 +21,7 @@ struct FaceBox {
 };
 
 /// The side of the network's input, the largest square of places that it knows.
-inline constexpr int kFaceInput_px = 256;
+inline constexpr int face_input_px = 256;
 
 /// Decodes the network's outputs. They have a row for each anchor, 16 x 16 x 2 of stride 16 and
 /// then 8 x 8 x 6 of stride 32, each place's anchors one after the other, row by row. `scores`:
@@ -35,7 +35,7 @@ inline constexpr int kFaceInput_px = 256;
 void add_apart(const std::vector<FaceBox>& more, std::vector<FaceBox>& boxes);
 
 /// The least width of a face that counts: the meshes of narrower ones are all about the same.
-inline constexpr double kLeastFace_px = 32.0;
+inline constexpr double least_face_px = 32.0;
 
 /// Sources: BlazeFace (Bazarevsky et al. 2019), FaceMesh (Kartynnik et al. 2019).
 class FaceNetwork {
@@ -45,7 +45,7 @@ class FaceNetwork {
     [[nodiscard]] static Result<FaceNetwork> from_onnx(std::span<const std::byte> finder,
                                                        std::span<const std::byte> mesh);
 
-    /// Returns the faces of an 8-bit BGR picture that are kLeastFace_px wide or more, the widest
+    /// Returns the faces of an 8-bit BGR picture that are least_face_px wide or more, the widest
     /// first, at most 8. `persons`: boxes in its pixels, of which the first 8 count: a face only
     /// counts in such a box, since the networks find faces in statues too. Looks again in the upper
     /// part of each box, for heads that are small in the picture. Fails, with one line, if a

@@ -14,9 +14,9 @@
 namespace touchline {
 namespace {
 
-constexpr int kSide_px = 256;
+constexpr int person_input_px = 256;
 constexpr int most_people = 5;
-constexpr double kLeastShare = 1.0 / 80.0;  // of the picture
+constexpr double least_person_share = 1.0 / 80.0;  // of the picture
 constexpr double seen_beyond = 0.12;   // of a box's longer side: what the network sees round it
 constexpr double taken_beyond = 0.04;  // and how much of that counts
 
@@ -29,7 +29,7 @@ cv::Rect grown(const cv::Rect2d& box, double share, cv::Size picture) {
 /// Also false for a box without width or height, and for one with NaN.
 bool is_large(const cv::Rect2d& box, cv::Size picture) {
     return box.width > 0.0 && box.height > 0.0 &&
-           box.width * box.height >= kLeastShare * picture.width * picture.height;
+           box.width * box.height >= least_person_share * picture.width * picture.height;
 }
 
 }  // namespace
@@ -40,13 +40,15 @@ Result<PersonNetwork> PersonNetwork::from_onnx(std::span<const std::byte> model)
 }
 
 Result<cv::Mat1b> PersonNetwork::mask_of(const cv::Mat3b& picture, const cv::Rect& part) {
-    const cv::Mat input = cv::dnn::blobFromImage(stretched(picture(part), {kSide_px, kSide_px}),
-                                                 1.0 / 255.0, {}, {}, true, false);
-    return network_.likelihoods(input, {1, kSide_px, kSide_px, 1}).map([](const cv::Mat1f& found) {
-        cv::Mat1b mask;
-        found.reshape(1, kSide_px).convertTo(mask, CV_8U, 255.0);
-        return mask;
-    });
+    const cv::Mat input =
+        cv::dnn::blobFromImage(stretched(picture(part), {person_input_px, person_input_px}),
+                               1.0 / 255.0, {}, {}, true, false);
+    return network_.likelihoods(input, {1, person_input_px, person_input_px, 1})
+        .map([](const cv::Mat1f& found) {
+            cv::Mat1b mask;
+            found.reshape(1, person_input_px).convertTo(mask, CV_8U, 255.0);
+            return mask;
+        });
 }
 
 Result<cv::Mat1f> people_likelihood(const cv::Mat3b& picture, std::span<const cv::Rect2d> people,

@@ -12,16 +12,16 @@
 namespace touchline {
 namespace {
 
-constexpr int kWorking_px = 320;  // longer side of the mask at working size
-constexpr float kLevel = 127.5F;
-constexpr double kRim_px = 2.0;  // a line this near to the part's side runs along it
-constexpr double kShortest_px = 12.0;
+constexpr int working_side_px = 320;  // longer side of the mask at working size
+constexpr float outline_level = 127.5F;
+constexpr double along_rim_px = 2.0;  // a line this near to the part's side runs along it
+constexpr double shortest_outline_px = 12.0;
 
 /// Maps pixels of the picture to those of the mask at working size.
 class Working {
   public:
     explicit Working(const PersonMask& person)
-        : scale_(static_cast<double>(kWorking_px) /
+        : scale_(static_cast<double>(working_side_px) /
                  std::max(person.part.width, person.part.height)),
           corner_(person.part.tl()),
           size_(std::max(8, cvRound(scale_ * person.part.width)),
@@ -59,7 +59,7 @@ cv::Mat1f soft_mask(const PersonMask& person, const FaceMesh& mesh, const Workin
         cv::fillPoly(soft, points, cv::Scalar(255.0));
     }
     const double face_px =
-        std::clamp(working.scale() * box_of(mesh).height, 1.0, double{kWorking_px});
+        std::clamp(working.scale() * box_of(mesh).height, 1.0, double{working_side_px});
     const int narrow_px = std::max(1, cvRound(narrow * face_px));
     const cv::Mat disc =
         cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * narrow_px + 1, 2 * narrow_px + 1});
@@ -78,14 +78,14 @@ cv::Mat1f soft_mask(const PersonMask& person, const FaceMesh& mesh, const Workin
 }  // namespace
 
 cv::Rect head_and_shoulders(const FaceMesh& mesh, cv::Size picture) {
-    constexpr double kAbove = 0.9;  // of the face's height
-    constexpr double kBelow = 1.1;
+    constexpr double above_face = 0.9;  // of the face's height
+    constexpr double below_face = 1.1;
     constexpr double beside = 1.4;  // of its greater side, from its middle
     const cv::Rect2d face = box_of(mesh);
     const cv::Point2d middle = centre_of(face);
     const double beside_px = beside * std::max(face.width, face.height);
-    const cv::Rect2d part(middle.x - beside_px, face.y - kAbove * face.height, 2.0 * beside_px,
-                          (1.0 + kAbove + kBelow) * face.height);
+    const cv::Rect2d part(middle.x - beside_px, face.y - above_face * face.height, 2.0 * beside_px,
+                          (1.0 + above_face + below_face) * face.height);
     return part_within(part, picture);
 }
 
@@ -96,14 +96,14 @@ std::vector<PartLine> person_outline(const PersonMask& person, const FaceMesh& m
     const cv::Rect2d face = box_of(mesh);
     const cv::Point2d middle = working.of_picture(centre_of(face));
     const auto is_on_rim = [&](const EdgePoint& p) {
-        return p.at.x < kRim_px || p.at.y < kRim_px || p.at.x > soft.cols - 1 - kRim_px ||
-               p.at.y > soft.rows - 1 - kRim_px;
+        return p.at.x < along_rim_px || p.at.y < along_rim_px ||
+               p.at.x > soft.cols - 1 - along_rim_px || p.at.y > soft.rows - 1 - along_rim_px;
     };
     std::vector<PartLine> lines;
-    for (const Chain& ring : iso_rings(soft, kLevel)) {
+    for (const Chain& ring : iso_rings(soft, outline_level)) {
         if (area_within(ring) < 0.0 || !holds(ring, middle)) continue;
         cut_by_place(ring, is_on_rim, [&](Chain part, bool is_rim) {
-            if (is_rim || length_of(part) < kShortest_px) return;
+            if (is_rim || length_of(part) < shortest_outline_px) return;
             Chain line = resampled(part, 1.0);
             for (EdgePoint& p : line.points) p.at = working.in_picture(p.at);
             lines.push_back({FacePart::person, std::move(line)});

@@ -16,13 +16,14 @@ namespace touchline {
 namespace {
 
 constexpr double mask_pixels = 1e6;
-constexpr uchar limit = 128;          // of a mask
-constexpr float kFigure = 0.3F;       // likelihood: measured, tests/lab/bench/vision/photographs.md
+constexpr uchar limit = 128;  // of a mask
+// Likelihood: measured, tests/lab/bench/vision/photographs.md.
+constexpr float figure_likelihood = 0.3F;
 constexpr double least_part = 0.05;   // of all figures
 constexpr double least_area = 0.002;  // of the picture
 constexpr double least_hole = 0.004;  // of the picture
 constexpr double beside = 0.05;       // of a part: this near to a thing, a hand means it
-constexpr double kGround = 0.8;       // of a part
+constexpr double ground_share = 0.8;  // of a part
 
 cv::Size mask_size(cv::Size picture) {
     const double pixels = static_cast<double>(picture.width) * picture.height;
@@ -54,9 +55,10 @@ struct Pieces {
 cv::Mat1b soft_mask(const cv::Mat1f& likelihood) {
     cv::Mat1b mask(likelihood.size());
     std::ranges::transform(likelihood, mask.begin(), [](float value) {
-        const float below = 127.0F * value / kFigure;
-        const float above = 128.0F + 127.0F * (value - kFigure) / (1.0F - kFigure);
-        return static_cast<uchar>(value < kFigure ? below : std::min(255.0F, above));
+        const float below = 127.0F * value / figure_likelihood;
+        const float above =
+            128.0F + 127.0F * (value - figure_likelihood) / (1.0F - figure_likelihood);
+        return static_cast<uchar>(value < figure_likelihood ? below : std::min(255.0F, above));
     });
     return mask;
 }
@@ -133,15 +135,15 @@ int nearest_piece(const Pieces& pieces, cv::Point at, double reach_px) {
 
 /// Returns the part of a mask a little inside its edge; all of anything thinner.
 cv::Mat along_edge(const cv::Mat& mask) {
-    constexpr double kNearest = 0.013;  // of the picture's side
+    constexpr double nearest_share = 0.013;  // of the picture's side
     constexpr double farthest = 0.039;
     const cv::Mat1f depth_px = depth_of(mask);
-    cv::Mat along = (depth_px > kNearest * mask.cols) & (depth_px <= farthest * mask.cols);
+    cv::Mat along = (depth_px > nearest_share * mask.cols) & (depth_px <= farthest * mask.cols);
     return cv::countNonZero(along) > 0 ? along : mask;
 }
 
 double contrast_of(const cv::Mat1f& likelihood) {
-    const cv::Mat figure = likelihood > kFigure;
+    const cv::Mat figure = likelihood > figure_likelihood;
     if (cv::countNonZero(figure) == 0) return 0.0;
     const cv::Mat ground = ~figure;
     if (cv::countNonZero(ground) == 0) return 0.0;
@@ -151,14 +153,14 @@ double contrast_of(const cv::Mat1f& likelihood) {
 
 /// Derived from pictures that somebody looked at, and which of their masks show a thing.
 bool is_sure_of(const FigureSigns& signs) {
-    constexpr double kLeastContrast = 0.67;
+    constexpr double least_sure_contrast = 0.67;
     constexpr double least_seen = 0.003;
-    return signs.contrast >= kLeastContrast && signs.area >= least_seen;
+    return signs.contrast >= least_sure_contrast && signs.area >= least_seen;
 }
 
 constexpr float figure_level = 127.5F;
-constexpr double kReach_mm = 1.5;  // the edge of a thing may lie off its mask
-constexpr double kSmoothing_px = 1.5;
+constexpr double reach_mm = 1.5;  // the edge of a thing may lie off its mask
+constexpr double smoothing_px = 1.5;
 
 /// Returns the mask at the lines' size, with edges as smooth as the picture's.
 cv::Mat1f fitted(const cv::Mat1b& mask, cv::Size size) {
@@ -263,24 +265,25 @@ Figures figure_at(const cv::Mat1f& likelihood, const cv::Rect& part, cv::Size pi
     fitted.copyTo(found.mask(lies));
     found.boxes.push_back(things.box(thing) + lies.tl());
     const double share = things.area(thing) / static_cast<double>(lies.area());
-    found.is_sure = seen.is_sure && share < kGround && !is_cut(found.boxes.front(), lies, size);
+    found.is_sure =
+        seen.is_sure && share < ground_share && !is_cut(found.boxes.front(), lies, size);
     return found;
 }
 
 PhotoLines with_figure(PhotoLines lines, const cv::Mat& picture, const cv::Mat1b& mask,
                        double longer_side_mm) {
     const double px_per_mm = std::max(lines.size.width, lines.size.height) / longer_side_mm;
-    const double shortest_px = kShortestLine_mm * px_per_mm;
+    const double shortest_px = shortest_line_mm * px_per_mm;
     cv::Mat small;
     cv::resize(picture, small, lines.size, 0.0, 0.0, cv::INTER_AREA);
-    const cv::Mat1f strength = colour_gradient(to_lab(small), kSmoothing_px).strength;
+    const cv::Mat1f strength = colour_gradient(to_lab(small), smoothing_px).strength;
     const cv::Mat1f soft = fitted(mask, lines.size);
     const std::vector<Chain> rings =
-        rings_of(soft, strength, kReach_mm * px_per_mm, shortest_px, lines.high);
+        rings_of(soft, strength, reach_mm * px_per_mm, shortest_px, lines.high);
     if (rings.empty()) return lines;
     std::vector<Chain> felt = off_frame(rings, lines.size, shortest_px);
     const cv::Mat1f distance = to_rings(felt, lines.size);
-    const auto beside_px = static_cast<float>(kLeastApart_mm * px_per_mm);
+    const auto beside_px = static_cast<float>(least_apart_mm * px_per_mm);
     const auto place_of = [&](const EdgePoint& p) {
         const cv::Point at = pixel_at(p.at, soft.size());
         if (distance(at) < beside_px) return RingSide::on_ring;

@@ -10,21 +10,21 @@
 namespace touchline {
 namespace {
 
-constexpr int kMostCrop_px = 512;
-constexpr int kLeastCrop_px = 64;
-constexpr double kWidest_px = 16.0;  // apart
-constexpr double kClosest_px = 2.5;
-constexpr int kPeak = 2;          // steps of frequency round a peak that belong to it
-constexpr double kShare = 0.25;   // of the power at such frequencies, in both peaks
+constexpr int most_crop_px = 512;
+constexpr int least_crop_px = 64;
+constexpr double widest_pitch_px = 16.0;  // apart
+constexpr double closest_pitch_px = 2.5;
+constexpr int peak_steps = 2;        // steps of frequency round a peak that belong to it
+constexpr double peak_share = 0.25;  // of the power at such frequencies, in both peaks
 constexpr double overtone = 0.3;  // of its power: if more is at a half or a third of its frequency
-constexpr double kAlike = 0.15;   // of the pitch
+constexpr double alike_pitch_share = 0.15;  // of the pitch
 constexpr double least_angle = 40.0 * std::numbers::pi / 180.0;
 constexpr double blur_over_pitch = 0.55;
 
 /// Returns the power of each frequency of the picture's middle; frequency zero is in the middle of
 /// the matrix.
 cv::Mat1f spectrum(const cv::Mat& picture) {
-    const int size = std::min({kMostCrop_px, picture.cols, picture.rows}) & ~1;
+    const int size = std::min({most_crop_px, picture.cols, picture.rows}) & ~1;
     const cv::Rect middle((picture.cols - size) / 2, (picture.rows - size) / 2, size, size);
     cv::Mat grey = picture(middle);
     if (grey.channels() == 3) cv::cvtColor(grey, grey, cv::COLOR_BGR2GRAY);
@@ -92,8 +92,9 @@ class Waves {
     [[nodiscard]] int size() const { return power_.rows; }
 
     [[nodiscard]] cv::Rect around(const cv::Point2d& wave) const {
-        const cv::Rect peak(cvRound(wave.x) + size() / 2 - kPeak,
-                            cvRound(wave.y) + size() / 2 - kPeak, 2 * kPeak + 1, 2 * kPeak + 1);
+        const cv::Rect peak(cvRound(wave.x) + size() / 2 - peak_steps,
+                            cvRound(wave.y) + size() / 2 - peak_steps, 2 * peak_steps + 1,
+                            2 * peak_steps + 1);
         return peak & cv::Rect({}, power_.size());
     }
 
@@ -102,7 +103,7 @@ class Waves {
     }
 
     [[nodiscard]] bool is_fast(const cv::Point2d& wave) const {
-        return cv::norm(wave) * kWidest_px >= size();
+        return cv::norm(wave) * widest_pitch_px >= size();
     }
 
     cv::Mat1f all_;
@@ -118,16 +119,16 @@ bool are_across(const cv::Point2d& a, const cv::Point2d& b) {
 }  // namespace
 
 double dot_pitch(const cv::Mat& picture) {
-    if (std::min(picture.cols, picture.rows) < kLeastCrop_px) return 0.0;
+    if (std::min(picture.cols, picture.rows) < least_crop_px) return 0.0;
     Waves waves(spectrum(picture));
     const cv::Point2d first = waves.strongest();
     double share = waves.taken(first);
     const cv::Point2d second = waves.strongest();
     share += waves.taken(second);
     const double pitch = waves.pitch_px(first);
-    const bool are_alike = std::abs(waves.pitch_px(second) / pitch - 1.0) <= kAlike;
-    const bool are_dots = are_alike && are_across(first, second) && pitch >= kClosest_px &&
-                          share >= kShare * waves.whole() && !waves.is_overtone(first) &&
+    const bool are_alike = std::abs(waves.pitch_px(second) / pitch - 1.0) <= alike_pitch_share;
+    const bool are_dots = are_alike && are_across(first, second) && pitch >= closest_pitch_px &&
+                          share >= peak_share * waves.whole() && !waves.is_overtone(first) &&
                           !waves.is_overtone(second);
     return are_dots ? pitch : 0.0;
 }

@@ -13,10 +13,10 @@ namespace {
 using Terms = Paper::Terms;
 using Weights = std::array<Terms, 3>;
 
-constexpr int kPlaces = 20;         // along each side: where the paper is looked at
-constexpr int kSamples = 7;         // along each side of a place
-constexpr int tries = 120;          // of random surfaces; 1 in 10 hits at 70 % paper
-constexpr double same_paper = 9.0;  // grey levels between a place and the surface
+constexpr int places_per_side = 20;  // along each side: where the paper is looked at
+constexpr int samples_per_side = 7;  // along each side of a place
+constexpr int tries = 120;           // of random surfaces; 1 in 10 hits at 70 % paper
+constexpr double same_paper = 9.0;   // grey levels between a place and the surface
 
 /// One place: where it is, and the median colour there.
 struct Place {
@@ -33,7 +33,7 @@ cv::Vec3f colour_at(const Weights& weights, const Terms& terms) {
             static_cast<float>(weights[2].dot(terms))};
 }
 
-using Samples = std::array<float, kSamples * kSamples>;
+using Samples = std::array<float, samples_per_side * samples_per_side>;
 
 float middle(Samples& values) {
     std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
@@ -43,20 +43,23 @@ float middle(Samples& values) {
 Place place_at(const LabPicture& lab, int column, int row) {
     std::array<Samples, 3> values{};
     std::size_t n = 0;
-    for (int j = 0; j < kSamples; ++j) {
-        for (int i = 0; i < kSamples; ++i, ++n) {
-            const int x = (column * kSamples + i) * lab.cols / (kPlaces * kSamples);
-            const int y = (row * kSamples + j) * lab.rows / (kPlaces * kSamples);
+    for (int j = 0; j < samples_per_side; ++j) {
+        for (int i = 0; i < samples_per_side; ++i, ++n) {
+            const int x =
+                (column * samples_per_side + i) * lab.cols / (places_per_side * samples_per_side);
+            const int y =
+                (row * samples_per_side + j) * lab.rows / (places_per_side * samples_per_side);
             for (int c = 0; c < 3; ++c) values[static_cast<std::size_t>(c)][n] = lab(y, x)[c];
         }
     }
-    return {terms_at((2.0 * column + 1.0) / kPlaces - 1.0, (2.0 * row + 1.0) / kPlaces - 1.0),
+    return {terms_at((2.0 * column + 1.0) / places_per_side - 1.0,
+                     (2.0 * row + 1.0) / places_per_side - 1.0),
             {middle(values[0]), middle(values[1]), middle(values[2])}};
 }
 
 Weights fitted(const std::vector<const Place*>& places) {
-    cv::Matx<double, Paper::kTerms, Paper::kTerms> normal =
-        cv::Matx<double, Paper::kTerms, Paper::kTerms>::zeros();
+    cv::Matx<double, Paper::term_count, Paper::term_count> normal =
+        cv::Matx<double, Paper::term_count, Paper::term_count>::zeros();
     std::array<Terms, 3> right{};
     for (const Place* place : places) {
         normal += place->terms * place->terms.t();
@@ -68,7 +71,7 @@ Weights fitted(const std::vector<const Place*>& places) {
     // Adds a little stiffness, so that a few places in one corner do not bend the surface out of
     // all bounds.
     constexpr double stiffness = 1e-3;
-    for (int i = 1; i < Paper::kTerms; ++i) {
+    for (int i = 1; i < Paper::term_count; ++i) {
         normal(i, i) += stiffness * static_cast<double>(places.size());
     }
     const auto inverse = normal.inv(cv::DECOMP_CHOLESKY);
@@ -100,7 +103,7 @@ std::vector<const Place*> most_agreeing(const std::vector<Place>& places) {
     };
     for (std::size_t i = 0; i < places.size(); i += 5) consider({&places[i]});
     for (int i = 0; i < tries; ++i) {
-        std::vector<const Place*> chosen(Paper::kTerms);
+        std::vector<const Place*> chosen(Paper::term_count);
         std::ranges::generate(chosen, random_place);
         consider(chosen);
     }
@@ -120,15 +123,16 @@ std::vector<const Place*> alike(const std::vector<Place>& places, const Place& a
 
 /// Returns true for a fifth of the places or more, on four fifths of the rows and columns.
 bool reach_everywhere(const std::vector<const Place*>& some, const std::vector<Place>& places) {
-    std::array<bool, kPlaces> rows{};
-    std::array<bool, kPlaces> columns{};
+    std::array<bool, places_per_side> rows{};
+    std::array<bool, places_per_side> columns{};
     for (const Place* place : some) {
         const auto at = static_cast<std::size_t>(place - places.data());
-        rows[at / kPlaces] = true;
-        columns[at % kPlaces] = true;
+        rows[at / places_per_side] = true;
+        columns[at % places_per_side] = true;
     }
-    return 5 * some.size() >= places.size() && 5 * std::ranges::count(rows, true) >= 4 * kPlaces &&
-           5 * std::ranges::count(columns, true) >= 4 * kPlaces;
+    return 5 * some.size() >= places.size() &&
+           5 * std::ranges::count(rows, true) >= 4 * places_per_side &&
+           5 * std::ranges::count(columns, true) >= 4 * places_per_side;
 }
 
 /// Returns a colour that extends over the whole picture but that the surface mostly misses. No lamp
@@ -154,12 +158,12 @@ Weights even_surface(const cv::Vec3f& colour) {
     return weights;
 }
 
-constexpr double kLeastContrast = 12.0;
+constexpr double least_ink_contrast = 12.0;
 constexpr double contrast_over_noise = 2.0;
 constexpr double contrast_over_ink = 0.22;  // fainter than this beside the ink is dirt and shadow
-constexpr double kInkPart = 0.002;          // this part of the picture is darker than "the ink"
-constexpr int kAround_px = 9;               // where a stroke's own darkest point is looked for
-constexpr double kSmoothing_px = 0.7;
+constexpr double darkest_part = 0.002;      // this part of the picture is darker than "the ink"
+constexpr int darkest_within_px = 9;        // where a stroke's own darkest point is looked for
+constexpr double ink_smoothing_px = 0.7;
 
 cv::Mat1f contrast_to(const LabPicture& lab, const Paper& paper) {
     cv::Mat1f contrast(lab.size());
@@ -178,8 +182,8 @@ cv::Mat1f contrast_to(const LabPicture& lab, const Paper& paper) {
 
 Paper::Paper(const LabPicture& lab) : size_(lab.size()) {
     std::vector<Place> places;
-    for (int row = 0; row < kPlaces; ++row) {
-        for (int column = 0; column < kPlaces; ++column) {
+    for (int row = 0; row < places_per_side; ++row) {
+        for (int column = 0; column < places_per_side; ++column) {
             places.push_back(place_at(lab, column, row));
         }
     }
@@ -212,11 +216,12 @@ void Paper::fill_row(int row, std::vector<cv::Vec3f>& colours) const {
 
 LabPicture evenly_lit(const LabPicture& lab, const Paper& paper) {
     // L and light: L + 16 (stretched) goes with the cube root of the light, as do a and b.
-    constexpr float kBlack = 16.0F * 2.55F;
-    constexpr float kLeast = 0.25F;  // of the light in the middle; anything darker stays black
+    constexpr float black_level = 16.0F * 2.55F;
+    // A share of the light in the middle; anything darker stays black.
+    constexpr float least_light_share = 0.25F;
     std::vector<cv::Vec3f> colours;
     paper.fill_row(lab.rows / 2, colours);
-    const float middle = colours[colours.size() / 2][0] + kBlack;
+    const float middle = colours[colours.size() / 2][0] + black_level;
     if (!(middle > 0.0F)) {  // if few places agree; without light nothing can be divided out
         return lab.clone();
     }
@@ -224,10 +229,11 @@ LabPicture evenly_lit(const LabPicture& lab, const Paper& paper) {
     for (int row = 0; row < lab.rows; ++row) {
         paper.fill_row(row, colours);
         for (int column = 0; column < lab.cols; ++column) {
-            const float here = colours[static_cast<std::size_t>(column)][0] + kBlack;
-            const float gain = middle / std::max(here, kLeast * middle);
+            const float here = colours[static_cast<std::size_t>(column)][0] + black_level;
+            const float gain = middle / std::max(here, least_light_share * middle);
             const cv::Vec3f& from = lab(row, column);
-            lit(row, column) = {(from[0] + kBlack) * gain - kBlack, from[1] * gain, from[2] * gain};
+            lit(row, column) = {(from[0] + black_level) * gain - black_level, from[1] * gain,
+                                from[2] * gain};
         }
     }
     return lit;
@@ -253,24 +259,25 @@ cv::Mat3f painted_over(const cv::Mat3f& picture, const cv::Mat1b& mask) {
 }
 
 double least_contrast(double noise, double strongest) {
-    return std::max({kLeastContrast, contrast_over_noise * noise, contrast_over_ink * strongest});
+    return std::max(
+        {least_ink_contrast, contrast_over_noise * noise, contrast_over_ink * strongest});
 }
 
 Ink ink_of(const LabPicture& lab, double noise) {
     LabPicture calm = lab;
     if (noise > 1.0) {  // first: the distance of noise to the paper is never 0
-        cv::GaussianBlur(lab, calm, cv::Size(), kSmoothing_px);
+        cv::GaussianBlur(lab, calm, cv::Size(), ink_smoothing_px);
     }
     const Paper paper(lab);
     Ink ink;
     ink.paper_part = paper.part();
     ink.contrast = contrast_to(calm, paper);
-    const auto strong = static_cast<double>(quantile(ink.contrast, 1.0 - kInkPart));
+    const auto strong = static_cast<double>(quantile(ink.contrast, 1.0 - darkest_part));
     ink.floor = least_contrast(noise, strong);
 
     cv::Mat1f half;
-    cv::dilate(ink.contrast, half, cv::Mat::ones(kAround_px, kAround_px, CV_8U));
-    cv::blur(half, half, {kAround_px, kAround_px});
+    cv::dilate(ink.contrast, half, cv::Mat::ones(darkest_within_px, darkest_within_px, CV_8U));
+    cv::blur(half, half, {darkest_within_px, darkest_within_px});
     half = cv::max(0.5 * half, ink.floor);
     cv::divide(ink.contrast, half, ink.darkness);
     ink.mask = cv::Mat(ink.darkness >= 1.0F);

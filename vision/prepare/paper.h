@@ -15,8 +15,8 @@ namespace touchline {
 /// shade. It may be dark.
 class Paper {
   public:
-    static constexpr int kTerms = 6;
-    using Terms = cv::Vec<double, kTerms>;  // 1, x, y, x x, x y, y y; x and y run from -1 to 1
+    static constexpr int term_count = 6;
+    using Terms = cv::Vec<double, term_count>;  // 1, x, y, x x, x y, y y; x and y run from -1 to 1
 
     /// Fits the surface that most places (20 x 20, each the median of 49 pixels) agree with; an
     /// even one if that surface misses a colour that extends over the whole picture. Deterministic.

@@ -13,16 +13,16 @@
 namespace touchline {
 namespace {
 
-constexpr double scan_pixels = 6e4;  // four tenths of a millimetre at the hand each
-constexpr double most_equal = 0.8;   // of neighbouring pixels: with more, a program painted it
-constexpr double rim = 0.12;         // of each side: the bed may lie there
-constexpr float kDark = 0.6F;        // of the lightest: no paper, however shaded
-constexpr double least_paper = 0.2;  // of the picture
-constexpr float like_paper = 22.0F;  // grey levels, all channels together
-constexpr float kGrey = 30.0F;       // levels between channels: of lids and their shadows
-constexpr double same_bed = 60.0;    // grey levels, all channels together
-constexpr double kMargin_px = 2.0;   // inside the edge, where it is soft
-constexpr double kCorner = 0.1;      // of the shorter side: the largest rounding
+constexpr double scan_pixels = 6e4;     // four tenths of a millimetre at the hand each
+constexpr double most_equal = 0.8;      // of neighbouring pixels: with more, a program painted it
+constexpr double rim = 0.12;            // of each side: the bed may lie there
+constexpr float dark_share = 0.6F;      // of the lightest: no paper, however shaded
+constexpr double least_paper = 0.2;     // of the picture
+constexpr float like_paper = 22.0F;     // grey levels, all channels together
+constexpr float grey_levels = 30.0F;    // levels between channels: of lids and their shadows
+constexpr double same_bed = 60.0;       // grey levels, all channels together
+constexpr double soft_margin_px = 2.0;  // inside the edge, where it is soft
+constexpr double rounding_share = 0.1;  // of the shorter side: the largest rounding
 
 /// Returns whether a program painted it, and no scanner saw it: most pixels equal their neighbours
 /// exactly.
@@ -48,7 +48,8 @@ cv::Vec3f bed_beyond(const cv::Mat3f& view, const SheetEdge& edge) {
 }
 
 bool is_grey(const cv::Vec3f& colour) {
-    return *std::ranges::max_element(colour.val) - *std::ranges::min_element(colour.val) <= kGrey;
+    return *std::ranges::max_element(colour.val) - *std::ranges::min_element(colour.val) <=
+           grey_levels;
 }
 
 /// Returns the picture without what is surely not paper: its rim, where the bed may lie, and
@@ -58,7 +59,7 @@ cv::Mat3f likely_paper(const cv::Mat3f& picture) {
     std::ranges::transform(picture, least.begin(), [](const cv::Vec3f& p) {
         return std::min({p[0], p[1], p[2]});
     });
-    const float dark = kDark * quantile(least, 0.95);
+    const float dark = dark_share * quantile(least, 0.95);
     const auto is_rim = [](int at, int size) {
         return std::min(at, size - 1 - at) < static_cast<int>(rim * size);
     };
@@ -103,8 +104,8 @@ class Scan {
         if (part_ < least_paper) return {};
         find_edges();
         beyond_ = cv::Mat1b(copy_.size(), uchar{0});
-        for (std::size_t side = 0; side < kSides.size(); ++side) {
-            if (edges_[side]) fill_beyond(kSides[side], *edges_[side]);
+        for (std::size_t side = 0; side < side_views.size(); ++side) {
+            if (edges_[side]) fill_beyond(side_views[side], *edges_[side]);
         }
         add_corners();
         beyond_ |= punched_holes(cv::Mat(~(paper_ | beyond_)), edges_);
@@ -115,15 +116,15 @@ class Scan {
     /// A lid is grey, and a bed of another colour lies on all sides, so a band of a drawing is
     /// neither.
     void find_edges() {
-        for (std::size_t side = 0; side < kSides.size(); ++side) {
-            edges_[side] = edge_of(kSides[side].of(paper_));
-            if (edges_[side]) beds_[side] = bed_beyond(kSides[side].of(copy_), *edges_[side]);
+        for (std::size_t side = 0; side < side_views.size(); ++side) {
+            edges_[side] = edge_of(side_views[side].of(paper_));
+            if (edges_[side]) beds_[side] = bed_beyond(side_views[side].of(copy_), *edges_[side]);
         }
         const auto is_like_first = [&](std::size_t side) {
             return edges_[side] && edges_[0] && cv::norm(beds_[side] - beds_[0]) < same_bed;
         };
         if (is_like_first(0) && is_like_first(1) && is_like_first(2) && is_like_first(3)) return;
-        for (std::size_t side = 0; side < kSides.size(); ++side) {
+        for (std::size_t side = 0; side < side_views.size(); ++side) {
             if (edges_[side] && !is_grey(beds_[side])) edges_[side].reset();
         }
     }
@@ -132,8 +133,8 @@ class Scan {
         const int rows = view.is_transposed ? copy_.cols : copy_.rows;
         std::vector<cv::Point> points;
         for (const cv::Point2d& at :
-             {cv::Point2d(-1.0, -1.0), cv::Point2d(edge.at(-1.0) + kMargin_px, -1.0),
-              cv::Point2d(edge.at(rows) + kMargin_px, rows), cv::Point2d(-1.0, rows)}) {
+             {cv::Point2d(-1.0, -1.0), cv::Point2d(edge.at(-1.0) + soft_margin_px, -1.0),
+              cv::Point2d(edge.at(rows) + soft_margin_px, rows), cv::Point2d(-1.0, rows)}) {
             const cv::Point2d back = view.back({std::max(-1.0, at.x), at.y}, copy_.size());
             points.emplace_back(cvRound(back.x), cvRound(back.y));
         }
@@ -142,9 +143,9 @@ class Scan {
 
     /// Adds the bed that a rounded corner leaves free.
     void add_corners() {
-        for (std::size_t side = 0; side < kSides.size(); ++side) {
+        for (std::size_t side = 0; side < side_views.size(); ++side) {
             const auto& one = edges_[side];
-            const auto& other = edges_[(side + 1) % kSides.size()];
+            const auto& other = edges_[(side + 1) % side_views.size()];
             if (one && other) add_corner(side, *one, *other);
         }
     }
@@ -152,17 +153,17 @@ class Scan {
     void add_corner(std::size_t side, const SheetEdge& one, const SheetEdge& other) {
         // The approximate corner: where one edge is as far from the frame as the other.
         const bool is_far = side == 1 || side == 2;  // the next side lies at the view's far end
-        const int rows = kSides[side].is_transposed ? copy_.cols : copy_.rows;
-        const int next_rows = kSides[(side + 1) % 4].is_transposed ? copy_.cols : copy_.rows;
+        const int rows = side_views[side].is_transposed ? copy_.cols : copy_.rows;
+        const int next_rows = side_views[(side + 1) % 4].is_transposed ? copy_.cols : copy_.rows;
         const double across = other.at(side < 2 ? 0.0 : next_rows - 1.0);
         const double row = is_far ? rows - 1.0 - across : across;
-        const cv::Point2d at = kSides[side].back({one.at(row), row}, copy_.size());
-        const int reach = static_cast<int>(kCorner * std::min(copy_.cols, copy_.rows));
+        const cv::Point2d at = side_views[side].back({one.at(row), row}, copy_.size());
+        const int reach = static_cast<int>(rounding_share * std::min(copy_.cols, copy_.rows));
         const cv::Rect box =
             cv::Rect(cvRound(at.x) - reach, cvRound(at.y) - reach, 2 * reach + 1, 2 * reach + 1) &
             cv::Rect({}, copy_.size());
         if (box.empty()) return;
-        const cv::Vec3f bed = 0.5F * (beds_[side] + beds_[(side + 1) % kSides.size()]);
+        const cv::Vec3f bed = 0.5F * (beds_[side] + beds_[(side + 1) % side_views.size()]);
         cv::Mat1b is_bed(box.size());
         for (int y = 0; y < box.height; ++y) {
             for (int x = 0; x < box.width; ++x) {
@@ -186,7 +187,7 @@ class Scan {
                 grown(y, x) = label(y, x) != 0 ? touches[static_cast<std::size_t>(label(y, x))] : 0;
             }
         }
-        const int margin = static_cast<int>(2.0 * kMargin_px) + 1;
+        const int margin = static_cast<int>(2.0 * soft_margin_px) + 1;
         cv::dilate(grown, grown, cv::getStructuringElement(cv::MORPH_ELLIPSE, {margin, margin}));
         here |= grown;
     }

@@ -10,24 +10,24 @@
 namespace touchline {
 namespace {
 
-constexpr int kRun_px = 5;         // of paper: the sheet has begun
-constexpr double kDeepest = 0.25;  // of the picture's side: no sheet begins further in
+constexpr int paper_run_px = 5;         // of paper: the sheet has begun
+constexpr double deepest_share = 0.25;  // of the picture's side: no sheet begins further in
 const double most_lean = std::tan(10.0 * std::numbers::pi / 180.0);
-constexpr double kOnEdge_px = 1.3;
+constexpr double on_edge_px = 1.3;
 constexpr double mostly_on_edge = 0.7;  // of the rows: strokes may run off the sheet
 constexpr double least_beyond = 0.12;   // of the rows have bed
-constexpr double kLeastDepth_px = 1.5;  // of the bed, if there is any
+constexpr double least_depth_px = 1.5;  // of the bed, if there is any
 constexpr int edge_tries = 32;          // places along a side through which lines are tried
 
 /// Returns where the paper begins in each row of the view; nothing where it does not.
 std::vector<std::optional<int>> depths_of(const cv::Mat1b& paper) {
-    const int deepest = static_cast<int>(kDeepest * paper.cols);
+    const int deepest = static_cast<int>(deepest_share * paper.cols);
     std::vector<std::optional<int>> depths(static_cast<std::size_t>(paper.rows));
     for (int y = 0; y < paper.rows; ++y) {
         int run = 0;
-        for (int x = 0; x < deepest + kRun_px && run < kRun_px; ++x) {
+        for (int x = 0; x < deepest + paper_run_px && run < paper_run_px; ++x) {
             run = paper(y, x) != 0 ? run + 1 : 0;
-            if (run == kRun_px) depths[static_cast<std::size_t>(y)] = x + 1 - kRun_px;
+            if (run == paper_run_px) depths[static_cast<std::size_t>(y)] = x + 1 - paper_run_px;
         }
     }
     return depths;
@@ -38,7 +38,7 @@ SheetEdge settled(const SheetEdge& edge, const std::vector<std::optional<int>>& 
     std::vector<cv::Point2f> on;
     for (std::size_t row = 0; row < depths.size(); ++row) {
         const auto at = static_cast<double>(row);
-        if (depths[row].value_or(0) > 0 && std::abs(*depths[row] - edge.at(at)) <= kOnEdge_px) {
+        if (depths[row].value_or(0) > 0 && std::abs(*depths[row] - edge.at(at)) <= on_edge_px) {
             on.emplace_back(static_cast<float>(*depths[row]), static_cast<float>(row));
         }
     }
@@ -53,8 +53,8 @@ constexpr double most_hole = 0.05;
 constexpr double hole_from_edge = 0.1;  // of the picture across: its middle lies no further in
 constexpr double even_holes = 0.03;     // of the side: how even they lie about its middle
 constexpr double same_hole = 0.15;      // of the hole across
-constexpr double kInRow_px = 4.0;       // as far from the edge
-constexpr double kSoftRim_px = 3.0;
+constexpr double in_row_px = 4.0;       // as far from the edge
+constexpr double soft_rim_px = 3.0;
 constexpr std::size_t most_holes = 6;
 
 struct Hole {
@@ -90,7 +90,7 @@ struct Beside {
 };
 
 Beside beside(std::size_t side, const Hole& hole, cv::Size whole, const SheetEdges& edges) {
-    const SideView& view = kSides[side];
+    const SideView& view = side_views[side];
     const cv::Size size = view.is_transposed ? cv::Size(whole.height, whole.width) : whole;
     const cv::Point2d at =
         view.is_transposed ? cv::Point2d(hole.middle.y, hole.middle.x) : hole.middle;
@@ -110,7 +110,7 @@ bool are_punched(const std::vector<Hole>& row, const std::vector<Beside>& places
         sum_px += places[i].along_px;
         const double first_px = row.front().across_px;
         if (std::abs(row[i].across_px - first_px) > same_hole * first_px + 1.0 ||
-            std::abs(places[i].in_px - places.front().in_px) > kInRow_px) {
+            std::abs(places[i].in_px - places.front().in_px) > in_row_px) {
             return false;
         }
     }
@@ -155,8 +155,8 @@ std::optional<SheetEdge> edge_of(const cv::Mat1b& paper) {
             for (auto row = from; row < to; ++row) {
                 const double expected = std::max(0.0, edge.at(static_cast<double>(row)));
                 const auto& depth = depths[static_cast<std::size_t>(row)];
-                on += depth && std::abs(*depth - expected) <= kOnEdge_px ? 1 : 0;
-                beyond += expected >= kLeastDepth_px ? 1 : 0;
+                on += depth && std::abs(*depth - expected) <= on_edge_px ? 1 : 0;
+                beyond += expected >= least_depth_px ? 1 : 0;
             }
             const bool is_edge =
                 std::abs(edge.lean) <= most_lean &&
@@ -173,8 +173,8 @@ std::optional<SheetEdge> edge_of(const cv::Mat1b& paper) {
 cv::Mat1b punched_holes(const cv::Mat1b& ink, const SheetEdges& edges) {
     cv::Mat1b punched(ink.size(), uchar{0});
     const std::vector<Hole> discs = discs_of(ink);
-    for (std::size_t side = 0; side < kSides.size(); ++side) {
-        const bool is_upright = !kSides[side].is_transposed;
+    for (std::size_t side = 0; side < side_views.size(); ++side) {
+        const bool is_upright = !side_views[side].is_transposed;
         const double across_px = is_upright ? ink.cols : ink.rows;
         const double side_px = is_upright ? ink.rows : ink.cols;
         std::vector<Hole> row;
@@ -189,7 +189,7 @@ cv::Mat1b punched_holes(const cv::Mat1b& ink, const SheetEdges& edges) {
         if (are_punched(row, places, side_px)) {
             for (const Hole& hole : row) {
                 cv::circle(punched, cv::Point(hole.middle),
-                           cvRound(0.5 * hole.across_px + kSoftRim_px), cv::Scalar(255),
+                           cvRound(0.5 * hole.across_px + soft_rim_px), cv::Scalar(255),
                            cv::FILLED);
             }
         }

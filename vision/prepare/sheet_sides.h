@@ -21,7 +21,7 @@ struct SideView {
     [[nodiscard]] cv::Point2d back(cv::Point2d at, cv::Size size) const;
 };
 
-inline constexpr std::array<SideView, 4> kSides{
+inline constexpr std::array<SideView, 4> side_views{
     {{false, false}, {false, true}, {true, false}, {true, true}}};  // left, top, right, bottom
 
 /// The edge of the sheet on one side: how deep the bed is, by rows of the view.
@@ -32,7 +32,7 @@ struct SheetEdge {
     [[nodiscard]] double at(double row) const { return first_px + lean * row; }
 };
 
-using SheetEdges = std::array<std::optional<SheetEdge>, 4>;  // in the order of kSides
+using SheetEdges = std::array<std::optional<SheetEdge>, 4>;  // in the order of side_views
 
 /// Returns the straight edge on the left of a view that most rows agree with; `paper`: 255 where it
 /// is. The edge leans at most 10 degrees and lies within a quarter of the width. O(pixels + rows).

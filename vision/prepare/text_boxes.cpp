@@ -9,12 +9,12 @@
 namespace touchline {
 namespace {
 
-constexpr int kLeastHeight_px = 4;
+constexpr int least_height_px = 4;
 constexpr double greatest_height = 0.12;      // of the picture's height: larger marks are no text
 constexpr double longest_over_height = 14.0;  // of one mark: letters of a word may touch
 constexpr double gap_over_height = 1.6;       // between marks of one line
 constexpr double height_ratio = 2.6;          // a capital beside a small letter
-constexpr double kOverlap = 0.45;             // of the heights of neighbours
+constexpr double overlap_share = 0.45;        // of the heights of neighbours
 constexpr double off_base = 0.17;             // of the letter height: on the base line
 constexpr double on_base = 0.62;              // part of the marks that are
 constexpr int least_marks = 3;
@@ -62,7 +62,7 @@ std::vector<Mark> marks_of(const cv::Mat1b& mask) {
 }
 
 bool may_be_letters(const Mark& mark, const cv::Size& page) {
-    return mark.box.height >= kLeastHeight_px && mark.box.height <= greatest_height * page.height &&
+    return mark.box.height >= least_height_px && mark.box.height <= greatest_height * page.height &&
            mark.box.width <= longest_over_height * mark.box.height && mark.area_px >= 6;
 }
 
@@ -71,7 +71,8 @@ bool are_neighbours(const cv::Rect& a, const cv::Rect& b) {
     const int high = std::max(a.height, b.height);
     const int overlap = std::min(a.br().y, b.br().y) - std::max(a.y, b.y);
     const int gap = std::max(a.x, b.x) - std::min(a.br().x, b.br().x);
-    return high <= height_ratio * low && overlap >= kOverlap * low && gap <= gap_over_height * high;
+    return high <= height_ratio * low && overlap >= overlap_share * low &&
+           gap <= gap_over_height * high;
 }
 
 Groups lines_among(const std::vector<Mark>& letters) {
@@ -121,8 +122,8 @@ bool stand_on_base_line(const std::vector<Mark>& marks) {
 
 /// Marks of one shape in a row are dots, dashes or tiles.
 bool are_of_one_shape(const std::vector<Mark>& marks) {
-    constexpr double kSame = 0.08;
-    constexpr double kMost = 0.9;  // the rest is cut off, or touches something
+    constexpr double same_size_share = 0.08;
+    constexpr double most_alike_share = 0.9;  // the rest is cut off, or touches something
     std::vector<double> widths;
     std::vector<double> heights;
     std::vector<double> areas_px;
@@ -135,11 +136,11 @@ bool are_of_one_shape(const std::vector<Mark>& marks) {
     const double height = median_of(heights);
     const double area_px = median_of(areas_px);
     const auto alike = std::ranges::count_if(marks, [&](const Mark& mark) {
-        return std::abs(mark.box.width - width) <= std::max(1.0, kSame * width) &&
-               std::abs(mark.box.height - height) <= std::max(1.0, kSame * height) &&
-               std::abs(mark.area_px - area_px) <= 2.0 * kSame * area_px;
+        return std::abs(mark.box.width - width) <= std::max(1.0, same_size_share * width) &&
+               std::abs(mark.box.height - height) <= std::max(1.0, same_size_share * height) &&
+               std::abs(mark.area_px - area_px) <= 2.0 * same_size_share * area_px;
     });
-    return static_cast<double>(alike) >= kMost * static_cast<double>(marks.size());
+    return static_cast<double>(alike) >= most_alike_share * static_cast<double>(marks.size());
 }
 
 void merge_overlapping(std::vector<cv::Rect>& boxes) {

@@ -7,7 +7,7 @@
 namespace touchline {
 namespace {
 
-constexpr double kTableDiagonal_m = 0.215;
+constexpr double table_diagonal_m = 0.215;
 constexpr int least_strokes = 2;  // of two things side by side, neither may be lost
 
 constexpr std::array<DetailLimits, most_detail> table{{
@@ -22,7 +22,7 @@ constexpr std::array<DetailLimits, most_detail> table{{
 
 DetailLimits limits_for(int detail, const Area& area) {
     DetailLimits limits = table[static_cast<std::size_t>(std::clamp(detail, 1, most_detail)) - 1];
-    const double scale = std::hypot(area.width_m, area.height_m) / kTableDiagonal_m;
+    const double scale = std::hypot(area.width_m, area.height_m) / table_diagonal_m;
     limits.strokes = std::max(least_strokes, static_cast<int>(limits.strokes * scale));
     limits.line_mm *= scale;
     limits.least_stroke_mm *= scale;

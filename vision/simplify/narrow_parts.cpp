@@ -14,8 +14,8 @@
 namespace touchline {
 namespace {
 
-constexpr double kLeastCell_mm = 0.2;
-constexpr double kPinReach_cells = 3.0;
+constexpr double least_cell_mm = 0.2;
+constexpr double pin_reach_cells = 3.0;
 
 /// Returns the distance of every cell in a mask to the nearest one outside, in cells.
 cv::Mat1f distances(const cv::Mat& mask) {
@@ -28,7 +28,7 @@ cv::Mat1f distances(const cv::Mat& mask) {
 class Raster {
   public:
     Raster(const Chain& ring, double gap_mm)
-        : cell_mm_(std::max(gap_mm / 32.0, kLeastCell_mm)),
+        : cell_mm_(std::max(gap_mm / 32.0, least_cell_mm)),
           radius_cells_(0.5 * gap_mm / cell_mm_),
           rim_(static_cast<int>(std::ceil(2.0 * radius_cells_)) + 2) {
         cv::Point2d high = ring.points.front().at;
@@ -42,16 +42,16 @@ class Raster {
     }
 
     cv::Mat filled(const Chain& ring) const {
-        constexpr int kShift = 8;
+        constexpr int fixed_point_bits = 8;
         std::vector<cv::Point> corners;
         for (const EdgePoint& p : ring.points) {
             const cv::Point2d at =
-                ((p.at - low_) / cell_mm_ + cv::Point2d(rim_, rim_)) * (1 << kShift);
+                ((p.at - low_) / cell_mm_ + cv::Point2d(rim_, rim_)) * (1 << fixed_point_bits);
             corners.emplace_back(static_cast<int>(std::lround(at.x)),
                                  static_cast<int>(std::lround(at.y)));
         }
         cv::Mat1b mask(size_, uchar{0});
-        cv::fillPoly(mask, std::vector{corners}, cv::Scalar(255), cv::LINE_8, kShift);
+        cv::fillPoly(mask, std::vector{corners}, cv::Scalar(255), cv::LINE_8, fixed_point_bits);
         return mask;
     }
 
@@ -93,7 +93,7 @@ class Raster {
         return in_mm(junctions.assembled(std::move(skeleton.arms)));
     }
 
-    double pin_reach_mm() const { return kPinReach_cells * cell_mm_; }
+    double pin_reach_mm() const { return pin_reach_cells * cell_mm_; }
 
   private:
     std::vector<Chain> in_mm(std::vector<Chain> lines) const {

@@ -12,35 +12,35 @@
 namespace touchline {
 namespace {
 
-constexpr double kLength_mm =
-    150.0;  // about once round a thing of a hand's size: longer counts little more
-constexpr double kOpen = 2.0 / 3.0;
-constexpr double kInside = 0.7;
+// About once round a thing of a hand's size: longer counts little more.
+constexpr double salient_length_mm = 150.0;
+constexpr double open_factor = 2.0 / 3.0;
+constexpr double inside_factor = 0.7;
 constexpr double least_strength = 1e-6;  // of `high`: the part of a border in a zoom may have none
 
 double salience_of(const Chain& line, double outer_share, double high) {
     double sum = 0.0;
     for (const EdgePoint& p : line.points) sum += p.strength;
     const double r = std::max(least_strength, sum / static_cast<double>(line.points.size()) / high);
-    const double length = 1.0 - std::exp(-length_of(line) / kLength_mm);
-    const double salience = r / (1.0 + r) * length * (line.is_closed ? 1.0 : kOpen) *
-                            (kInside + (1.0 - kInside) * outer_share);
+    const double length = 1.0 - std::exp(-length_of(line) / salient_length_mm);
+    const double salience = r / (1.0 + r) * length * (line.is_closed ? 1.0 : open_factor) *
+                            (inside_factor + (1.0 - inside_factor) * outer_share);
     return std::max(MapLimits::least_weight, salience);
 }
 
-constexpr double large_region = 0.03;  // of the area
-constexpr double kOuterShare = 0.25;   // of a line whose other side looks into the picture
-constexpr double kFinestStep_mm = 0.2;
-constexpr double kCoarsestStep_mm = 0.5;
-constexpr double lengths =
-    3.0;  // of all lines: a longer ring is a maze, and splitting it shows no more
-constexpr double kBold = 1.1;  // gaps: so that smoothing leaves a gap
+constexpr double large_region = 0.03;       // of the area
+constexpr double least_outer_share = 0.25;  // of a line whose other side looks into the picture
+constexpr double finest_step_mm = 0.2;
+constexpr double coarsest_step_mm = 0.5;
+// Times all lines: a longer ring is a maze, and splitting it shows no more.
+constexpr double lengths = 3.0;
+constexpr double bold_over_gap = 1.1;  // gaps: so that smoothing leaves a gap
 
 /// Returns a ring whose too narrow parts are single lines, the longest last.
 std::vector<Candidate> narrow_as_lines(const Chain& ring, double gap_mm, Narrow first,
                                        const ShapingScale& scale, cv::Size2d area_mm) {
     std::vector<Candidate> result;
-    for (const Chain& part : parted_where_narrow(ring, kBold * gap_mm, first)) {
+    for (const Chain& part : parted_where_narrow(ring, bold_over_gap * gap_mm, first)) {
         result.push_back({within(shaped(part, scale), area_mm), !part.is_closed, !part.is_closed});
     }
     std::ranges::reverse(result);
@@ -49,11 +49,11 @@ std::vector<Candidate> narrow_as_lines(const Chain& ring, double gap_mm, Narrow 
 
 /// A figure is recognized by its limbs.
 DetailLimits for_rings(DetailLimits limits) {
-    constexpr double kTolerance_mm = 0.7;
-    constexpr double kFeature_mm = 6.0;
-    limits.gap_mm = std::min(limits.gap_mm, kLeastApart_mm);
-    limits.tolerance_mm = std::min(limits.tolerance_mm, kTolerance_mm);
-    limits.least_feature_mm = std::min(limits.least_feature_mm, kFeature_mm);
+    constexpr double ring_tolerance_mm = 0.7;
+    constexpr double ring_feature_mm = 6.0;
+    limits.gap_mm = std::min(limits.gap_mm, least_apart_mm);
+    limits.tolerance_mm = std::min(limits.tolerance_mm, ring_tolerance_mm);
+    limits.least_feature_mm = std::min(limits.least_feature_mm, ring_feature_mm);
     return limits;
 }
 
@@ -84,7 +84,7 @@ std::vector<RankedLine> ranked(std::vector<Chain> lines, const std::vector<doubl
 Selection::Selection(const DetailLimits& limits, cv::Size2d area_mm)
     : limits_(limits),
       area_mm_(area_mm),
-      scale_{std::clamp(limits.gap_mm / 16.0, kFinestStep_mm, kCoarsestStep_mm),
+      scale_{std::clamp(limits.gap_mm / 16.0, finest_step_mm, coarsest_step_mm),
              limits.tolerance_mm, limits.least_feature_mm},
       spaced_(area_mm, limits.gap_mm, scale_.step_mm) {}
 
@@ -101,17 +101,17 @@ bool Selection::is_full() const {
 }
 
 void Selection::add(const RankedLine& ranked, std::size_t number) {
-    constexpr double kCoarsest_mm = 50.0;
+    constexpr double coarsest_tolerance_mm = 50.0;
     ShapingScale scale = scale_;
     while (may_be_shown(ranked) && add_at(scale, ranked.line, number) && strokes_.empty() &&
-           scale.tolerance_mm < kCoarsest_mm) {
+           scale.tolerance_mm < coarsest_tolerance_mm) {
         scale.tolerance_mm *= 1.5;
         scale.least_feature_mm *= 1.5;
     }
 }
 
 bool Selection::may_be_shown(const RankedLine& ranked) const {
-    const bool is_outer = ranked.outer_share >= kOuterShare || ranked.line.of == LineOf::ring;
+    const bool is_outer = ranked.outer_share >= least_outer_share || ranked.line.of == LineOf::ring;
     switch (limits_.inner) {
         case InnerLines::none:
             return is_outer;
@@ -166,13 +166,13 @@ bool Selection::add_all(std::vector<Candidate> open, std::size_t number) {
 /// Returns how much of a line a way of adding it shows: the share of its points within a gap of
 /// which a finger meets something, less for each further piece to be found.
 double Selection::worth(const Selection& after, const Chain& line) const {
-    constexpr double kPieces = 0.1;  // all that there may be
+    constexpr double pieces_cost = 0.1;  // all that there may be
     const auto shown = std::ranges::count_if(line.points, [&](const EdgePoint& p) {
         return after.spaced_.has_near(p.at, limits_.gap_mm);
     });
     const auto pieces = static_cast<double>(after.strokes_.size() - strokes_.size());
     return static_cast<double>(shown) / static_cast<double>(line.points.size()) -
-           kPieces * pieces / limits_.strokes;
+           pieces_cost * pieces / limits_.strokes;
 }
 
 /// Lines that lead back along themselves, and middle lines that come back over themselves beyond a

@@ -130,7 +130,7 @@ std::vector<EdgePoint> smooth_run(const std::vector<EdgePoint>& run, bool is_rin
     return smooth;
 }
 
-constexpr double kCrossingCell_mm = 2.0;
+constexpr double crossing_cell_mm = 2.0;
 constexpr int most_cuts = 200;  // a line with more is a scribble, and the rest of it is dropped
 
 struct SelfCrossing {
@@ -169,7 +169,7 @@ std::optional<SelfCrossing> self_crossing(const Chain& line, CrossingOf crossing
         low = {std::min(low.x, p.at.x), std::min(low.y, p.at.y)};
         high = {std::max(high.x, p.at.x), std::max(high.y, p.at.y)};
     }
-    SegmentGrid grid({high.x - low.x, high.y - low.y}, kCrossingCell_mm);
+    SegmentGrid grid({high.x - low.x, high.y - low.y}, crossing_cell_mm);
     std::optional<SelfCrossing> best;
     for (std::size_t i = 0; i < count; ++i) {
         const LineSegment here{line.points[i].at - low, line.points[(i + 1) % n].at - low, 0, i};

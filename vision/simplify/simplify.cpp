@@ -199,7 +199,7 @@ Simplified simplified(const PictureLines& found, const Area& area, int detail, c
 
     std::vector<Chain> lines = in_zoom(found.chains, placement, map.area, zoom);
     const std::size_t in_pieces = lines.size();
-    lines = with_breaks_closed(std::move(lines), kSmallBreak_mm);
+    lines = with_breaks_closed(std::move(lines), small_break_mm);
     report.breaks_closed = static_cast<int>(in_pieces - lines.size());
     std::vector<Chain> frames =
         frames_of(lines, picture_in_zoom(placement, found.working, map.area, zoom));

@@ -17,7 +17,8 @@ namespace {
 constexpr double apart_along = 4.0;    // gaps: nearer along the line is a bend, not two lines
 constexpr double hairpin_along = 2.0;  // gaps: further may be there and back on parallel ways
 constexpr double parallel = 0.985;     // cosine of 10 degrees
-constexpr double kStraight_mm = 0.5;   // the way along two straight sides minus that by the corner
+constexpr double straight_slack_mm =
+    0.5;  // the way along two straight sides minus that by the corner
 
 /// Returns whether a segment leads back along another.
 bool leads_back(cv::Point2d way, const LineSegment& other) {
@@ -43,7 +44,7 @@ class Corners {
         return std::ranges::any_of(corners_, [&](std::size_t corner) {
             const double straight_mm = distance(points_[from].at, points_[corner].at) +
                                        distance(points_[corner].at, points_[to].at);
-            return way_mm(from, corner, to) - straight_mm < kStraight_mm;
+            return way_mm(from, corner, to) - straight_mm < straight_slack_mm;
         });
     }
 
@@ -64,9 +65,9 @@ class Corners {
     std::vector<std::size_t> corners_;
 };
 
-constexpr double kOpening_mm = 2.5;  // on each side of a crossing
-constexpr double kSamePlace_mm = 1e-9;
-constexpr double kShort_mm = 1e-3;  // a thousand times the grid of a map; no finger feels it
+constexpr double crossing_opening_mm = 2.5;  // on each side of a crossing
+constexpr double same_place_mm = 1e-9;
+constexpr double short_line_mm = 1e-3;  // a thousand times the grid of a map; no finger feels it
 
 /// Sorts feet in the order in which they lie along their line.
 void sort_along(const std::vector<EdgePoint>& line, std::vector<LineFoot>& feet) {
@@ -187,7 +188,7 @@ bool SpacedLines::stands_beside(const Chain& ring) const {
             neighbours.insert(segment.line);
         });
     }
-    return least_mm > kLeastApart_mm + 0.5 * scale_.step_mm &&
+    return least_mm > least_apart_mm + 0.5 * scale_.step_mm &&
            std::ranges::all_of(neighbours, [&](std::size_t number) {
                const Chain& other = lines_[number];
                return other.is_closed && !holds(other, ring.points[0].at) &&
@@ -228,7 +229,7 @@ bool SpacedLines::crosses_on(const std::vector<EdgePoint>& points, std::size_t f
         });
         if (!nearest(piece.b, scale_.clearance_mm())) return is_crossed;
     }
-    return is_crossed && after_mm > kSmallBreak_mm;
+    return is_crossed && after_mm > small_break_mm;
 }
 
 /// Leads a line straight on from its end, unless that would cross the line itself.
@@ -243,7 +244,7 @@ bool SpacedLines::append(cv::Point2d to, std::vector<EdgePoint>& line) const {
         // All segments except the last, from which it goes on, must be clear of its first step as
         // well.
         const auto at = i + 1 < line.size() ? crossing_of(piece, beginning) : std::nullopt;
-        if (at && distance(*at, from.at) > kSamePlace_mm) return false;
+        if (at && distance(*at, from.at) > same_place_mm) return false;
     }
     const int parts = std::max(1, static_cast<int>(std::ceil(cv::norm(way) / scale_.step_mm)));
     for (int k = 1; k < parts; ++k) {
@@ -288,7 +289,7 @@ bool SpacedLines::crosses_in_map(const Fit& fit) const {
     change(fit.back, {points[points.size() - 2].at, points.back().at});
     return std::ranges::any_of(changed, [&](const LineSegment& piece) {
         bool is_crossed = false;
-        grid_.near(piece.a, piece.b, kShort_mm, [&](const LineSegment& other) {
+        grid_.near(piece.a, piece.b, short_line_mm, [&](const LineSegment& other) {
             is_crossed = is_crossed ||
                          std::ranges::any_of(pieces(other, fit), [&](const LineSegment& there) {
                              return cross_on_map_grid(piece, there);
@@ -305,7 +306,7 @@ void SpacedLines::meet(const LineFoot& foot, cv::Point2d from, int step, Fit& fi
     if (crosses_in_map(fit)) {
         met.reset();
         EdgePoint& end = step > 0 ? fit.line.points.back() : fit.line.points.front();
-        end.at += (from - foot.at) * (kShort_mm / distance(from, foot.at));
+        end.at += (from - foot.at) * (short_line_mm / distance(from, foot.at));
     }
 }
 
@@ -323,12 +324,12 @@ void SpacedLines::bridge(const std::vector<EdgePoint>& points, std::size_t at, i
         beyond += static_cast<std::size_t>(step);
     }
     const std::optional<Near> end = nearest(points[beyond].at, scale_.clearance_mm());
-    if (!is_opened && !goes_on && end && end->distance_mm > kSmallBreak_mm) {
+    if (!is_opened && !goes_on && end && end->distance_mm > small_break_mm) {
         return;  // it ends by itself, well before the other
     }
-    const cv::Point2d to =
-        is_opened ? near->foot.at + (from.at - near->foot.at) * (kOpening_mm / near->distance_mm)
-                  : near->foot.at;
+    const cv::Point2d to = is_opened ? near->foot.at + (from.at - near->foot.at) *
+                                                           (crossing_opening_mm / near->distance_mm)
+                                     : near->foot.at;
     std::vector<EdgePoint>& line = fit.line.points;
     if (step < 0) std::ranges::reverse(line);
     const bool is_led = append(to, line);

@@ -18,8 +18,8 @@ namespace touchline {
 namespace {
 
 constexpr double most_bend = 70.0 * std::numbers::pi / 180.0;
-constexpr double kSkip_mm = 0.5;  // the last points of a line are its worst
-constexpr double kSpan_mm = 4.0;
+constexpr double end_skip_mm = 0.5;  // the last points of a line are its worst
+constexpr double end_span_mm = 4.0;
 
 struct FreeEnd {
     EndId id = 0;
@@ -44,21 +44,22 @@ std::vector<FreeEnd> free_ends(const std::vector<Chain>& lines) {
             const cv::Point2d at = point_at(lines, id).at;
             if (!lines[i].is_closed && uses[key_of(at)] == 1) {
                 ends.push_back(
-                    {id, at, ray_at(lines[i].points, is_back(id), kSkip_mm, kSpan_mm).direction});
+                    {id, at,
+                     ray_at(lines[i].points, is_back(id), end_skip_mm, end_span_mm).direction});
             }
         }
     }
     return ends;
 }
 
-constexpr double kCell_mm = 0.5;
-constexpr double kDisc_mm = 0.75;       // radius
-constexpr double kLeastWall_mm = 15.0;  // shorter lines hide nothing
-constexpr int rim = 12;                 // cells around the area, so that the outside is connected
+constexpr double depth_cell_mm = 0.5;
+constexpr double disc_radius_mm = 0.75;  // radius
+constexpr double least_wall_mm = 15.0;   // shorter lines hide nothing
+constexpr int rim = 12;                  // cells around the area, so that the outside is connected
 
 cv::Point cell_of(cv::Point2d p) {
-    return {rim + static_cast<int>(std::lround(p.x / kCell_mm)),
-            rim + static_cast<int>(std::lround(p.y / kCell_mm))};
+    return {rim + static_cast<int>(std::lround(p.x / depth_cell_mm)),
+            rim + static_cast<int>(std::lround(p.y / depth_cell_mm))};
 }
 
 /// Non-zero where there is no line.
@@ -66,7 +67,7 @@ cv::Mat1b free_cells(const std::vector<Chain>& lines, cv::Size2d area_mm) {
     const cv::Point far = cell_of({area_mm.width, area_mm.height});
     cv::Mat1b cells(far.y + rim + 1, far.x + rim + 1, uchar{255});
     for (const Chain& line : lines) {
-        if (length_of(line) < kLeastWall_mm) continue;
+        if (length_of(line) < least_wall_mm) continue;
         std::vector<cv::Point> points;
         for (const EdgePoint& p : line.points) points.push_back(cell_of(p.at));
         cv::polylines(cells, points, line.is_closed, cv::Scalar(0), 1, cv::LINE_8);
@@ -195,7 +196,7 @@ std::vector<Chain> with_breaks_closed(std::vector<Chain> lines, double reach_mm)
     }
     std::ranges::stable_sort(joins, {}, &Join::cost);
     std::vector<bool> is_taken(2 * lines.size(), false);
-    JunctionSet set(kSkip_mm, kSpan_mm);
+    JunctionSet set(end_skip_mm, end_span_mm);
     bool is_any = false;
     for (const Join& join : joins) {
         if (!is_taken[join.a] && !is_taken[join.b]) {
@@ -208,16 +209,17 @@ std::vector<Chain> with_breaks_closed(std::vector<Chain> lines, double reach_mm)
 }
 
 Outside::Outside(const std::vector<Chain>& lines, cv::Size2d area_mm) {
-    cv::Mat passable = depth_of(free_cells(lines, area_mm)) > kDisc_mm / kCell_mm;
-    constexpr uchar kOutside = 128;
-    cv::floodFill(passable, cv::Point(0, 0), cv::Scalar(kOutside), nullptr, {}, {}, 8);
-    to_outside_ = depth_of(passable != kOutside);
+    cv::Mat passable = depth_of(free_cells(lines, area_mm)) > disc_radius_mm / depth_cell_mm;
+    constexpr uchar outside_mark = 128;
+    cv::floodFill(passable, cv::Point(0, 0), cv::Scalar(outside_mark), nullptr, {}, {}, 8);
+    to_outside_ = depth_of(passable != outside_mark);
 }
 
 double Outside::share_of(const Chain& line) const {
-    constexpr float kReached = static_cast<float>(kDisc_mm / kCell_mm + 1.5);
-    const auto reached = std::ranges::count_if(
-        line.points, [&](const EdgePoint& p) { return to_outside_(cell_of(p.at)) < kReached; });
+    constexpr float reached_cells = static_cast<float>(disc_radius_mm / depth_cell_mm + 1.5);
+    const auto reached = std::ranges::count_if(line.points, [&](const EdgePoint& p) {
+        return to_outside_(cell_of(p.at)) < reached_cells;
+    });
     return static_cast<double>(reached) / static_cast<double>(line.points.size());
 }
 
@@ -229,7 +231,7 @@ std::vector<double> Outside::shares_of(const std::vector<Chain>& lines) const {
 }
 
 double Outside::share_on_both_sides(const Chain& line) const {
-    constexpr double kBeside_mm = 2.0;
+    constexpr double beside_line_mm = 2.0;
     const auto is_out = [&](cv::Point2d p) {
         const cv::Point cell = cell_of(p);
         return !cv::Rect({}, to_outside_.size()).contains(cell) || to_outside_(cell) <= 0.0F;
@@ -239,7 +241,7 @@ double Outside::share_on_both_sides(const Chain& line) const {
         const cv::Point2d at = line.points[i].at;
         const cv::Point2d along = at - line.points[i - 1].at;
         const cv::Point2d beside =
-            kBeside_mm / std::max(1e-9, cv::norm(along)) * cv::Point2d(-along.y, along.x);
+            beside_line_mm / std::max(1e-9, cv::norm(along)) * cv::Point2d(-along.y, along.x);
         both += is_out(at + beside) && is_out(at - beside) ? 1U : 0U;
     }
     return static_cast<double>(both) / static_cast<double>(line.points.size());
@@ -252,15 +254,16 @@ bool is_frame(const Chain& line, const cv::Rect2d& picture_mm) {
 }
 
 bool is_rim(const Chain& line, const cv::Rect2d& picture_mm) {
-    constexpr double kUneven_mm = 0.1;
-    return share_beside(line, picture_mm, 0.5 * line.width_px + kUneven_mm) >= 0.9;
+    constexpr double uneven_mm = 0.1;
+    return share_beside(line, picture_mm, 0.5 * line.width_px + uneven_mm) >= 0.9;
 }
 
 bool is_met(const Chain& line, const std::vector<Chain>& others) {
-    constexpr double kMet_mm = 1.0;
+    constexpr double met_within_mm = 1.0;
     const auto ends_on_it = [&](const EdgePoint& end) {
-        return std::ranges::any_of(
-            line.points, [&](const EdgePoint& p) { return distance(p.at, end.at) <= kMet_mm; });
+        return std::ranges::any_of(line.points, [&](const EdgePoint& p) {
+            return distance(p.at, end.at) <= met_within_mm;
+        });
     };
     return std::ranges::any_of(others, [&](const Chain& other) {
         return !other.is_closed &&

@@ -13,7 +13,7 @@
 namespace touchline {
 
 /// A break up to this long is closed: a groove must not end by accident.
-inline constexpr double kSmallBreak_mm = 4.0;
+inline constexpr double small_break_mm = 4.0;
 
 /// Joins free ends that are nearer than `reach_mm` and point at each other, cheapest first: cost =
 /// distance x (1 + bending in radians), at most 70 degrees at each end (any bending under a quarter

@@ -30,13 +30,13 @@ struct ClassLines {
 };
 
 Chain box_around(const cv::Rect& box) {
-    constexpr double kStrength = 1.0;
+    constexpr double frame_strength = 1.0;
     const cv::Point2d low(box.x - 0.5, box.y - 0.5);
     const cv::Point2d high = low + cv::Point2d(box.width, box.height);
-    return {{{low, kStrength, true},
-             {{high.x, low.y}, kStrength, true},
-             {high, kStrength, true},
-             {{low.x, high.y}, kStrength, true}},
+    return {{{low, frame_strength, true},
+             {{high.x, low.y}, frame_strength, true},
+             {high, frame_strength, true},
+             {{low.x, high.y}, frame_strength, true}},
             true,
             0.0,
             LineOf::figure};
@@ -75,9 +75,9 @@ PhotoLines drawn_lines(const cv::Mat& picture, PictureClass picture_class, doubl
     found.noise = noise_of(lab);
     const double px_per_mm = std::max(lab.cols, lab.rows) / longer_side_mm;
     if (picture_class == PictureClass::diagram) {
-        found.chains = region_lines(lab, found.noise, kWidestStroke_mm * px_per_mm);
+        found.chains = region_lines(lab, found.noise, widest_stroke_mm * px_per_mm);
     } else if (picture_class == PictureClass::line_art) {
-        found.chains = stroke_lines(lab, found.noise, kWidestStroke_mm * px_per_mm);
+        found.chains = stroke_lines(lab, found.noise, widest_stroke_mm * px_per_mm);
     } else {
         found.chains = page_lines(lab, found.noise);
     }
@@ -86,7 +86,7 @@ PhotoLines drawn_lines(const cv::Mat& picture, PictureClass picture_class, doubl
     }
     found.lines_found = static_cast<int>(found.chains.size());
     found.specks_dropped = static_cast<int>(std::erase_if(found.chains, [&](const Chain& line) {
-        return length_of(line) < kShortestLine_mm * px_per_mm || line.points.size() < 2;
+        return length_of(line) < shortest_line_mm * px_per_mm || line.points.size() < 2;
     }));
     found.high = 0.5 * mean_strength(found.chains);
     found.low = found.high;
@@ -194,10 +194,10 @@ std::string nothing_found(const cv::Mat& picture, double mm_per_pixel, const Pho
                " pixels; use a larger one";
     }
     // A smaller picture is one line for a finger, or has no room for an edge.
-    constexpr double kLeast_mm = 3.0;
+    constexpr double least_side_mm = 3.0;
     constexpr int least_pixels = 8;
     const int shorter = std::min(picture.cols, picture.rows);
-    if (shorter < least_pixels || mm_per_pixel * shorter < kLeast_mm) {
+    if (shorter < least_pixels || mm_per_pixel * shorter < least_side_mm) {
         const bool is_flat = picture.rows < picture.cols;
         return "no outline found, because the picture is " + size_of(picture) + " pixels, too " +
                (is_flat ? "flat to be felt; use a higher one"
@@ -228,10 +228,10 @@ std::string warning_for(const TraceReport& report) {
 }  // namespace
 
 bool is_usable(const Area& area) {
-    constexpr double kSmallest_m = 1e-3;
-    constexpr double kLargest_m = 1.0;
+    constexpr double smallest_side_m = 1e-3;
+    constexpr double largest_side_m = 1.0;
     const auto is_size = [](double metres) {
-        return metres >= kSmallest_m && metres <= kLargest_m;
+        return metres >= smallest_side_m && metres <= largest_side_m;
     };
     return is_size(area.width_m) && is_size(area.height_m);
 }

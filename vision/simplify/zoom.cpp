@@ -7,7 +7,7 @@
 namespace touchline {
 namespace {
 
-constexpr double kLeastPart_mm = 1.0;
+constexpr double least_part_mm = 1.0;
 
 /// Converts millimetres of the whole picture to millimetres of the enlargement.
 class Enlargement {
@@ -115,7 +115,7 @@ void add_enlarged(const Outline& outline, const Area& area, const Zoom& zoom, Ta
     const Enlargement enlargement(area, zoom);
     int number = 0;
     for (const Chain& part : clipped(in_mm(outline, area, enlargement), enlargement.size_mm())) {
-        if (length_of({part.points, false}) < kLeastPart_mm) continue;
+        if (length_of({part.points, false}) < least_part_mm) continue;
         Outline shown = outline;
         shown.is_closed = part.is_closed;
         shown.points.clear();
@@ -129,10 +129,10 @@ void add_enlarged(const Outline& outline, const Area& area, const Zoom& zoom, Ta
 }  // namespace
 
 Chain within(Chain line, cv::Size2d area_mm) {
-    constexpr double kHalfNanometre_mm = 5e-7;  // less is on the rim in a map
+    constexpr double half_nanometre_mm = 5e-7;  // less is on the rim in a map
     const auto inside = [](double at_mm, double most_mm) {
         const double within_mm = std::clamp(at_mm, 0.0, most_mm);
-        return std::abs(at_mm - within_mm) < kHalfNanometre_mm ? at_mm : within_mm;
+        return std::abs(at_mm - within_mm) < half_nanometre_mm ? at_mm : within_mm;
     };
     for (EdgePoint& p : line.points) {
         p.at = {inside(p.at.x, area_mm.width), inside(p.at.y, area_mm.height)};

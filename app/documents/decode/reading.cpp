@@ -30,8 +30,10 @@ Result<void> check(std::string_view format, std::int64_t width, std::int64_t hei
                     format, width, height, most / megapixel, most_side_px));
 }
 
-constexpr int kAlike = 40;  // grey levels: a smaller difference from the background is invisible
-constexpr double kUnseen = 0.97;  // if more of what is painted is near white, nothing would be seen
+// Grey levels: a smaller difference from the background is invisible.
+constexpr int unseen_difference = 40;
+// If more of what is painted is near white, nothing would be seen.
+constexpr double unseen_share = 0.97;
 
 int lightness_of(const std::uint8_t* bgr) {
     return (29 * bgr[0] + 150 * bgr[1] + 77 * bgr[2]) / 256;
@@ -45,12 +47,12 @@ unsigned ground_for(const std::vector<std::uint8_t>& bgra) {
     for (std::size_t i = 0; i + 3 < bgra.size(); i += 4) {
         const unsigned alpha = bgra[i + 3];
         painted += alpha;
-        if (255 - lightness_of(&bgra[i]) < kAlike) unseen += alpha;
-        if (alpha < 255 - kAlike) ++open;
+        if (255 - lightness_of(&bgra[i]) < unseen_difference) unseen += alpha;
+        if (alpha < 255 - unseen_difference) ++open;
     }
     const bool is_unseen =
         open > 0 && static_cast<double>(unseen) >
-                        kUnseen * static_cast<double>(std::max<std::uint64_t>(painted, 1));
+                        unseen_share * static_cast<double>(std::max<std::uint64_t>(painted, 1));
     return is_unseen ? 0U : 255U;
 }
 

@@ -205,11 +205,11 @@ std::optional<Framing> framing_of_unsized(RsvgHandle* handle) {
         const RsvgRectangle whole{0.0, 0.0, box.width, box.height};
         return Framing{whole, whole};
     }
-    constexpr double kMargin = 0.03;
+    constexpr double margin_share = 0.03;
     RsvgRectangle ink{};
     if (rsvg_handle_get_geometry_for_element(handle, nullptr, &ink, nullptr, nullptr) == 0)
         return std::nullopt;
-    const double margin = kMargin * std::max(ink.width, ink.height);
+    const double margin = margin_share * std::max(ink.width, ink.height);
     return Framing{
         {0.0, 0.0, ink.x + ink.width, ink.y + ink.height},
         {ink.x - margin, ink.y - margin, ink.width + 2.0 * margin, ink.height + 2.0 * margin}};
@@ -276,8 +276,8 @@ Result<Page> read_svg(Bytes bytes, const PageOrder& order) {
     const Owned<RsvgHandle, g_object_unref> handle(rsvg_handle_new_from_data(
         reinterpret_cast<const guint8*>(source.svg.data()), source.svg.size(), &problem));
     if (handle == nullptr) return told(GlibError(problem));
-    constexpr double kPixelsPerInch = 96.0;  // as in CSS
-    rsvg_handle_set_dpi(handle.get(), kPixelsPerInch);
+    constexpr double css_pixels_per_inch = 96.0;  // as in CSS
+    rsvg_handle_set_dpi(handle.get(), css_pixels_per_inch);
     const auto framing = framing_of(handle.get());
     if (!framing) return damaged("SVG", "nothing is painted, or it has no size");
     if (auto fits = check_size("SVG", framing->width_px(), framing->height_px()); !fits)

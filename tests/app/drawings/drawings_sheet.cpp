@@ -48,7 +48,7 @@ std::optional<testing::Drawing> asked_for(const char* argument) {
 }
 
 cv::Mat row_of(const testing::Drawing& drawing) {
-    const auto felt = testing::felt_of(drawing, 5, testing::kTolerance_mm);
+    const auto felt = testing::felt_of(drawing, 5, testing::felt_tolerance_mm);
     if (!felt) {
         fmt::print("{}: {}\n", drawing.name, felt.error().line);
         return testing::sheet_of(drawing, {});

@@ -11,19 +11,20 @@
 namespace touchline {
 namespace {
 
-constexpr double kHeight_mm = 70.0;
-constexpr double kStep_mm = 0.25;
+constexpr double glyph_height_mm = 70.0;
+constexpr double path_step_mm = 0.25;
 
-/// The letter's rings in W, points at most kStep_mm apart, corners kept.
+/// The letter's rings in W, points at most path_step_mm apart, corners kept.
 TactileMap letter(const std::string& character) {
     std::vector<Outline> rings;
     for (const testing::Polyline& ring :
-         testing::glyph(character, {.family = "DejaVu Sans Light"}, {}, kHeight_mm)) {
+         testing::glyph(character, {.family = "DejaVu Sans Light"}, {}, glyph_height_mm)) {
         std::vector<Position> points;
         for (std::size_t i = 0; i < ring.points.size(); ++i) {
             const cv::Point2d a = ring.points[i];
             const cv::Point2d b = ring.points[(i + 1) % ring.points.size()];
-            const int parts = std::max(1, static_cast<int>(std::ceil(cv::norm(b - a) / kStep_mm)));
+            const int parts =
+                std::max(1, static_cast<int>(std::ceil(cv::norm(b - a) / path_step_mm)));
             for (int k = 0; k < parts; ++k) {
                 const cv::Point2d p = a + (b - a) * (static_cast<double>(k) / parts);
                 points.push_back({1e-3 * p.x, -1e-3 * p.y});

@@ -28,8 +28,8 @@ TEST(BoundaryGate, PictogramsBeforeClutterAreFound) {
     EXPECT_GE(sweep.best().f(), 0.73);
 }
 
-constexpr int kSize_px = 300;
-constexpr int kSamples = 8;  // per pixel, each way
+constexpr int picture_side_px = 300;
+constexpr int samples_per_px = 8;  // per pixel, each way
 
 struct Condition {
     std::string name;
@@ -53,14 +53,16 @@ std::vector<Polyline> seen_askew(std::vector<Polyline> rings) {
 
 /// Draws at eight times the size and averages over each pixel.
 cv::Mat drawn(const std::vector<Polyline>& rings) {
-    Canvas canvas({kSamples * kSize_px, kSamples * kSize_px}, {225, 225, 225});
+    Canvas canvas({samples_per_px * picture_side_px, samples_per_px * picture_side_px},
+                  {225, 225, 225});
     std::vector<Polyline> large;
     for (const Polyline& ring : rings) {
-        large.push_back(placed(ring, {}, kSamples, 0.0));
+        large.push_back(placed(ring, {}, samples_per_px, 0.0));
     }
     canvas.fill(large, {40, 40, 40});
     cv::Mat small;
-    cv::resize(canvas.picture(), small, {kSize_px, kSize_px}, 0.0, 0.0, cv::INTER_AREA);
+    cv::resize(canvas.picture(), small, {picture_side_px, picture_side_px}, 0.0, 0.0,
+               cv::INTER_AREA);
     return small;
 }
 
@@ -78,7 +80,7 @@ TEST(LineGate, LettersAreTracedWithinAQuarterOfAPixel) {
         for (std::size_t i = 0; i < letters().size(); ++i) {
             const Font font{i % 2 == 0 ? "DejaVu Sans" : "DejaVu Serif", 0.0, i % 4 > 1};
             std::vector<Polyline> truth =
-                glyph(letters()[i], font, {0.5 * kSize_px, 0.5 * kSize_px}, 220.0);
+                glyph(letters()[i], font, {0.5 * picture_side_px, 0.5 * picture_side_px}, 220.0);
             if (condition.has_perspective) {
                 truth = seen_askew(std::move(truth));
             }
@@ -111,11 +113,11 @@ TEST(Repeatability, TheSameLinesUnderOtherLightNoiseBlurAndJpeg) {
         const TruthScene scene = pictogram_scene(3 * i, size);
         const cv::Mat1b before = photo_lines(scene.picture, 116.0).edge_strength;
         const std::vector<cv::Mat1b> truth{
-            thinned(cv::Mat1b(cv::Mat(before >= BoundarySweep::kAutomatic)))};
+            thinned(cv::Mat1b(cv::Mat(before >= BoundarySweep::automatic_level)))};
         ASSERT_GT(cv::countNonZero(truth[0]), 300) << i;
         for (const Degraded& version : degraded(scene.picture)) {
             const cv::Mat1b after = photo_lines(version.picture, 116.0).edge_strength;
-            counts[version.name] += boundary_counts(after, BoundarySweep::kAutomatic, truth);
+            counts[version.name] += boundary_counts(after, BoundarySweep::automatic_level, truth);
         }
     }
     for (const auto& [name, count] : counts) {

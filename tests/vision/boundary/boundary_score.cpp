@@ -9,16 +9,16 @@ namespace touchline::testing {
 namespace {
 
 constexpr double reach_over_diagonal = 0.0075;
-constexpr int kNone = -1;
+constexpr int no_partner = -1;
 
 using Neighbours = std::array<bool, 8>;  // clockwise from above
 
 Neighbours neighbours(const cv::Mat1b& map, cv::Point at) {
-    constexpr std::array<std::array<int, 2>, 8> kAround{
+    constexpr std::array<std::array<int, 2>, 8> neighbour_steps{
         {{0, -1}, {1, -1}, {1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}}};
     Neighbours n{};
     for (std::size_t i = 0; i < n.size(); ++i) {
-        n[i] = map(at.y + kAround[i][1], at.x + kAround[i][0]) != 0;
+        n[i] = map(at.y + neighbour_steps[i][1], at.x + neighbour_steps[i][0]) != 0;
     }
     return n;
 }
@@ -90,22 +90,22 @@ class Matching {
   public:
     Matching(const std::vector<cv::Point>& edges, const cv::Mat1b& truth,
              const std::vector<cv::Point>& reach)
-        : edges_(edges), reach_(reach), ids_(truth.size(), kNone) {
+        : edges_(edges), reach_(reach), ids_(truth.size(), no_partner) {
         int count = 0;
         for (const cv::Point& p : pixels_of(truth)) {
             ids_(p) = count++;
         }
-        mate_of_edge_.assign(edges.size(), kNone);
-        mate_of_truth_.assign(static_cast<std::size_t>(count), kNone);
+        mate_of_edge_.assign(edges.size(), no_partner);
+        mate_of_truth_.assign(static_cast<std::size_t>(count), no_partner);
     }
 
-    /// Returns each edge pixel's partner, or kNone.
+    /// Returns each edge pixel's partner, or no_partner.
     [[nodiscard]] const std::vector<int>& run() {
         take_nearest();
         while (layer()) {
             next_.assign(edges_.size(), 0);
             for (int edge = 0; edge < edge_count(); ++edge) {
-                if (at(mate_of_edge_, edge) == kNone && at(level_, edge) == 0) {
+                if (at(mate_of_edge_, edge) == no_partner && at(level_, edge) == 0) {
                     augment(edge);
                 }
             }
@@ -119,7 +119,7 @@ class Matching {
     int neighbour(int edge, std::size_t k) const {
         const cv::Point p = at(edges_, edge) + reach_[k];
         const bool is_inside = p.x >= 0 && p.y >= 0 && p.x < ids_.cols && p.y < ids_.rows;
-        return is_inside ? ids_(p) : kNone;
+        return is_inside ? ids_(p) : no_partner;
     }
 
     void pair(int edge, int truth) {
@@ -130,8 +130,9 @@ class Matching {
     void take_nearest() {
         for (std::size_t k = 0; k < reach_.size(); ++k) {
             for (int edge = 0; edge < edge_count(); ++edge) {
-                const int truth = at(mate_of_edge_, edge) == kNone ? neighbour(edge, k) : kNone;
-                if (truth != kNone && at(mate_of_truth_, truth) == kNone) {
+                const int truth =
+                    at(mate_of_edge_, edge) == no_partner ? neighbour(edge, k) : no_partner;
+                if (truth != no_partner && at(mate_of_truth_, truth) == no_partner) {
                     pair(edge, truth);
                 }
             }
@@ -140,10 +141,10 @@ class Matching {
 
     /// Searches breadth first from the edges without a partner; false if no free truth is in reach.
     bool layer() {
-        level_.assign(edges_.size(), kNone);
+        level_.assign(edges_.size(), no_partner);
         std::vector<int> queue;
         for (int edge = 0; edge < edge_count(); ++edge) {
-            if (at(mate_of_edge_, edge) == kNone) {
+            if (at(mate_of_edge_, edge) == no_partner) {
                 at(level_, edge) = 0;
                 queue.push_back(edge);
             }
@@ -152,13 +153,13 @@ class Matching {
         for (std::size_t i = 0; i < queue.size() && at(level_, queue[i]) < last; ++i) {
             for (std::size_t k = 0; k < reach_.size(); ++k) {
                 const int truth = neighbour(queue[i], k);
-                if (truth == kNone) {
+                if (truth == no_partner) {
                     continue;
                 }
                 const int other = at(mate_of_truth_, truth);
-                if (other == kNone) {
+                if (other == no_partner) {
                     last = std::min(last, at(level_, queue[i]));
-                } else if (at(level_, other) == kNone) {
+                } else if (at(level_, other) == no_partner) {
                     at(level_, other) = at(level_, queue[i]) + 1;
                     queue.push_back(other);
                 }
@@ -172,11 +173,12 @@ class Matching {
     bool augment(int edge) {
         for (std::size_t& k = at(next_, edge); k < reach_.size();) {
             const int truth = neighbour(edge, k++);
-            if (truth == kNone) {
+            if (truth == no_partner) {
                 continue;
             }
             const int other = at(mate_of_truth_, truth);
-            if (other == kNone || (at(level_, other) == at(level_, edge) + 1 && augment(other))) {
+            if (other == no_partner ||
+                (at(level_, other) == at(level_, edge) + 1 && augment(other))) {
                 pair(edge, truth);
                 return true;
             }
@@ -242,8 +244,8 @@ BoundaryCounts boundary_counts(const cv::Mat1b& strength, int least,
         Matching matching(edges, truth, reach);
         const std::vector<int>& mates = matching.run();
         for (std::size_t i = 0; i < mates.size(); ++i) {
-            counts.truth_hit += mates[i] != kNone ? 1.0 : 0.0;
-            is_hit[i] = is_hit[i] || mates[i] != kNone;
+            counts.truth_hit += mates[i] != no_partner ? 1.0 : 0.0;
+            is_hit[i] = is_hit[i] || mates[i] != no_partner;
         }
         counts.truth_all += cv::countNonZero(truth);
     }
@@ -258,7 +260,7 @@ void BoundarySweep::add(const cv::Mat1b& strength, const std::vector<cv::Mat1b>&
 }
 
 BoundaryCounts BoundarySweep::automatic() const {
-    const auto at = std::ranges::find(least, kAutomatic);
+    const auto at = std::ranges::find(least, automatic_level);
     return counts[static_cast<std::size_t>(at - least.begin())];
 }
 

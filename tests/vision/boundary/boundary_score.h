@@ -30,12 +30,12 @@ struct BoundaryCounts {
 
 /// Sums over pictures at each threshold of a sweep, and the figures read from them.
 struct BoundarySweep {
-    static constexpr int kAutomatic = 128;  // of the strength map: tracing keeps this
-    std::vector<int> least{72, 96, 112, kAutomatic, 144, 160};
+    static constexpr int automatic_level = 128;  // of the strength map: tracing keeps this
+    std::vector<int> least{72, 96, 112, automatic_level, 144, 160};
     std::vector<BoundaryCounts> counts{least.size()};
 
     void add(const cv::Mat1b& strength, const std::vector<cv::Mat1b>& annotators);
-    [[nodiscard]] BoundaryCounts automatic() const;  // at kAutomatic
+    [[nodiscard]] BoundaryCounts automatic() const;  // at automatic_level
     [[nodiscard]] BoundaryCounts best() const;       // of the sweep, one threshold for all pictures
 };
 

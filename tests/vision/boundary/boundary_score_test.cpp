@@ -7,10 +7,10 @@
 namespace touchline::testing {
 namespace {
 
-const cv::Size kSize(200, 150);  // reach: 1.875 px
+const cv::Size map_size(200, 150);  // reach: 1.875 px
 
 cv::Mat1b with_line(int y, int from = 20, int to = 180, uchar value = 255) {
-    cv::Mat1b map(kSize, uchar{0});
+    cv::Mat1b map(map_size, uchar{0});
     map(cv::Range(y, y + 1), cv::Range(from, to)) = value;
     return map;
 }
@@ -51,7 +51,7 @@ TEST(BoundaryScore, TheSweepFindsTheThresholdAboveTheClutter) {
 }
 
 TEST(BoundaryScore, NothingFoundScoresNothing) {
-    EXPECT_EQ(boundary_counts(cv::Mat1b(kSize, uchar{0}), 128, {with_line(70)}).f(), 0.0);
+    EXPECT_EQ(boundary_counts(cv::Mat1b(map_size, uchar{0}), 128, {with_line(70)}).f(), 0.0);
 }
 
 RC_GTEST_PROP(Thinned, KeepsPartsAndHolesAndLeavesThinLines, ()) {

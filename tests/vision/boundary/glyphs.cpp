@@ -12,15 +12,15 @@ namespace touchline::testing {
 namespace {
 
 constexpr double reflected = 0.4;  // of another scene, as in a window: edges, not boundaries
-constexpr double kNoise_levels = 4.0;
+constexpr double glyph_noise_levels = 4.0;
 
 }  // namespace
 
 std::vector<Polyline> glyph(const std::string& character, const Font& font, cv::Point2d centre,
                             double height_px) {
-    constexpr double kLarge_px = 2000.0;  // Cairo flattens to 0.1 px of this
+    constexpr double large_px = 2000.0;  // Cairo flattens to 0.1 px of this
     Font large = font;
-    large.size_px = kLarge_px;
+    large.size_px = large_px;
     std::vector<Polyline> rings = Canvas({8, 8}, {255, 255, 255}).outline_of(character, {}, large);
     constexpr double far = std::numeric_limits<double>::infinity();
     cv::Point2d least(far, far);
@@ -73,7 +73,7 @@ TruthScene pictogram_scene(int i, cv::Size size) {
                     0.0, picture);
     cv::Mat1b inner;
     cv::erode(scene.truth, inner, cv::getStructuringElement(cv::MORPH_CROSS, {3, 3}));
-    return {seen(picture, {.noise_levels = kNoise_levels, .seed = i}),
+    return {seen(picture, {.noise_levels = glyph_noise_levels, .seed = i}),
             cv::Mat1b(scene.truth - inner)};
 }
 

@@ -8,9 +8,9 @@
 namespace touchline::testing {
 namespace {
 
-constexpr double kStep_px = 0.5;
-constexpr double kMissing_px = 2.0;
-constexpr double kSpurious_px = 3.0;
+constexpr double sample_step_px = 0.5;
+constexpr double missing_beyond_px = 2.0;
+constexpr double spurious_beyond_px = 3.0;
 
 using Line = std::vector<cv::Point2d>;
 
@@ -33,7 +33,8 @@ std::vector<double> distances(const std::vector<Line>& from, const std::vector<L
     for (const Line& line : from) {
         for (std::size_t i = 1; i < line.size(); ++i) {
             const cv::Point2d along = line[i] - line[i - 1];
-            const int steps = std::max(1, static_cast<int>(std::ceil(cv::norm(along) / kStep_px)));
+            const int steps =
+                std::max(1, static_cast<int>(std::ceil(cv::norm(along) / sample_step_px)));
             for (int k = 0; k < steps; ++k) {
                 const cv::Point2d p = line[i - 1] + (static_cast<double>(k) / steps) * along;
                 double best = std::numeric_limits<double>::infinity();
@@ -71,15 +72,15 @@ LineAccuracy accuracy_of(const std::vector<Chain>& lines, const std::vector<Poly
     const std::vector<double> to_lines = distances(wanted, found);
     std::vector<double> both = distances(found, wanted);
     if (both.empty()) {
-        return {0.0, kSpurious_px, kSpurious_px, 1.0, 0.0};
+        return {0.0, spurious_beyond_px, spurious_beyond_px, 1.0, 0.0};
     }
     LineAccuracy accuracy;
-    accuracy.missing = part_over(to_lines, kMissing_px);
-    accuracy.spurious = part_over(both, kSpurious_px);
+    accuracy.missing = part_over(to_lines, missing_beyond_px);
+    accuracy.spurious = part_over(both, spurious_beyond_px);
     double sum = 0.0;
     int count = 0;
     for (const double d : to_lines) {
-        if (d <= kMissing_px) {
+        if (d <= missing_beyond_px) {
             sum += d * d;
             ++count;
         }

@@ -15,16 +15,16 @@ namespace {
 using testing::Canvas;
 using testing::Polyline;
 
-constexpr double kWidest_px = 25.0;
-const cv::Size kSize(900, 650);
-const cv::Scalar kWhite(255, 255, 255);
-const cv::Scalar kDark(90, 40, 20);
+constexpr double widest_stroke_px = 25.0;
+const cv::Size picture_size(900, 650);
+const cv::Scalar white_bgr(255, 255, 255);
+const cv::Scalar dark_bgr(90, 40, 20);
 const cv::Scalar pale(216, 216, 216);
 
 /// Keeps the lines of at least 4 mm; shorter ones are specks to a hand.
 std::vector<Chain> flat_lines(const cv::Mat& bgr) {
     const LabPicture lab = to_lab(bgr);
-    std::vector<Chain> lines = region_lines(lab, noise_of(lab), kWidest_px);
+    std::vector<Chain> lines = region_lines(lab, noise_of(lab), widest_stroke_px);
     std::erase_if(lines, [](const Chain& line) { return length_of(line) < 40.0; });
     return lines;
 }
@@ -54,15 +54,16 @@ TEST(Behind, AShadowIsNoLine) {
     for (const double blur_px : {5.0, 8.0, 14.0}) {
         for (const cv::Point2d& off : {cv::Point2d(8, 8), {0, 12}, {-6, 10}}) {
             const cv::Rect2d shape(250, 180, 400, 260);
-            Canvas canvas(kSize, kWhite);
+            Canvas canvas(picture_size, white_bgr);
             canvas.fill({box(shape + off)}, {140, 140, 140});
             cv::Mat picture = canvas.picture();
             cv::GaussianBlur(picture, picture, {}, blur_px);
-            Canvas above(kSize, kWhite);
-            above.fill({box(shape)}, kDark);
-            above.picture().copyTo(picture, above.picture() != cv::Mat(kSize, CV_8UC3, kWhite));
+            Canvas above(picture_size, white_bgr);
+            above.fill({box(shape)}, dark_bgr);
+            above.picture().copyTo(picture,
+                                   above.picture() != cv::Mat(picture_size, CV_8UC3, white_bgr));
             const cv::Rect inside(shape);
-            picture(inside) = kDark;
+            picture(inside) = dark_bgr;
             const auto lines = flat_lines(picture);
             ASSERT_EQ(lines.size(), 1U) << blur_px << " " << off;
             EXPECT_TRUE(lines.front().is_closed);
@@ -74,7 +75,7 @@ TEST(Behind, AShadowIsNoLine) {
 TEST(Behind, AGradientHasNoLinesInside) {
     for (const double turn_deg : {0.0, 30.0, 90.0}) {
         const cv::Rect shape(200, 150, 500, 350);
-        cv::Mat picture(kSize, CV_8UC3, kWhite);
+        cv::Mat picture(picture_size, CV_8UC3, white_bgr);
         const double a = turn_deg * std::numbers::pi / 180.0;
         for (int y = shape.y; y < shape.br().y; ++y) {
             for (int x = shape.x; x < shape.br().x; ++x) {
@@ -95,7 +96,7 @@ TEST(Behind, AGradientHasNoLinesInside) {
 /// A shape that is as white as the paper at one end still stays whole.
 TEST(Behind, AShapeThatFadesIntoThePaperStaysWhole) {
     const cv::Rect shape(200, 150, 500, 350);
-    cv::Mat picture(kSize, CV_8UC3, kWhite);
+    cv::Mat picture(picture_size, CV_8UC3, white_bgr);
     for (int x = shape.x; x < shape.br().x; ++x) {
         picture(cv::Rect(x, shape.y, 1, shape.height)) =
             cv::Scalar::all(40.0 + 215.0 * (x - shape.x) / shape.width);
@@ -114,7 +115,7 @@ TEST(Behind, AShapeThatFadesIntoThePaperStaysWhole) {
 TEST(Behind, WhereAShapeFadesAwayItHasNoLine) {
     const cv::Rect shape(100, 80, 700, 490);
     for (const double darkest : {0.0, 190.0}) {
-        cv::Mat picture(kSize, CV_8UC3, kWhite);
+        cv::Mat picture(picture_size, CV_8UC3, white_bgr);
         for (int x = shape.x; x < shape.br().x; ++x) {
             const double from_middle =
                 std::abs(x - shape.x - 0.5 * shape.width) / (0.5 * shape.width);
@@ -140,9 +141,9 @@ TEST(Behind, WhereAShapeFadesAwayItHasNoLine) {
 TEST(Behind, AFrameIsFeltWhereItIs) {
     const cv::Rect2d frame(6, 6, 888, 638);
     for (const double top : {14.0, 120.0}) {
-        Canvas canvas(kSize, kWhite);
+        Canvas canvas(picture_size, white_bgr);
         canvas.stroke({box(frame)}, 4.0, {0, 0, 0});
-        canvas.fill({box({400, top, 90, 90})}, kDark);
+        canvas.fill({box({400, top, 90, 90})}, dark_bgr);
         const auto lines = flat_lines(canvas.picture());
         ASSERT_EQ(lines.size(), 2U) << top;
         const auto stroke =
@@ -166,10 +167,10 @@ void draw_grid(Canvas& canvas, double tilt_deg, bool both_ways, const cv::Scalar
 TEST(Behind, APaleGridIsNoLine) {
     for (const double tilt_deg : {0.0, 1.3, -2.0}) {
         for (const bool both_ways : {false, true}) {
-            Canvas canvas(kSize, kWhite);
+            Canvas canvas(picture_size, white_bgr);
             draw_grid(canvas, tilt_deg, both_ways, pale);
             const cv::Rect2d shape(250, 180, 300, 260);
-            canvas.fill({box(shape)}, kDark);
+            canvas.fill({box(shape)}, dark_bgr);
             const auto lines = flat_lines(canvas.picture());
             ASSERT_EQ(lines.size(), 1U) << tilt_deg << " " << both_ways;
             EXPECT_LT(farthest_px(lines, shape), 4.0);
@@ -178,25 +179,25 @@ TEST(Behind, APaleGridIsNoLine) {
 }
 
 TEST(Behind, SquaredPaperIsNoLineOfTheDrawingOnIt) {
-    Canvas canvas(kSize, kWhite);
+    Canvas canvas(picture_size, white_bgr);
     draw_grid(canvas, 0.5, true, {235, 215, 190});
-    canvas.stroke({testing::arc({450, 320}, {220, 180})}, 5.0, kDark);
+    canvas.stroke({testing::arc({450, 320}, {220, 180})}, 5.0, dark_bgr);
     const LabPicture lab = to_lab(canvas.picture());
-    const auto lines = stroke_lines(lab, noise_of(lab), kWidest_px);
+    const auto lines = stroke_lines(lab, noise_of(lab), widest_stroke_px);
     ASSERT_EQ(lines.size(), 1U);
     EXPECT_TRUE(lines.front().is_closed);
 }
 
 TEST(Behind, AGridThatIsAllThereIsIsFelt) {
-    Canvas canvas(kSize, kWhite);
+    Canvas canvas(picture_size, white_bgr);
     draw_grid(canvas, 0.0, true, pale);
     EXPECT_GE(flat_lines(canvas.picture()).size(), 12U);
 }
 
 /// A pale drawing beside a dark one is not a grid: its lines are not evenly spaced.
 TEST(Behind, APaleDrawingIsFelt) {
-    Canvas canvas(kSize, kWhite);
-    canvas.fill({box({60, 60, 200, 200})}, kDark);
+    Canvas canvas(picture_size, white_bgr);
+    canvas.fill({box({60, 60, 200, 200})}, dark_bgr);
     for (const double y : {330.0, 360.0, 440.0, 585.0}) {
         canvas.stroke({{{{320, y}, {860, y}}, false}}, 3.0, pale);
     }

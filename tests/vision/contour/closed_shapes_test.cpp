@@ -18,7 +18,7 @@ using testing::Canvas;
 using testing::Font;
 using testing::Polyline;
 
-constexpr double kAnyWidth_px = 0.01;  // everything is wider: outlines only
+constexpr double any_width_px = 0.01;  // everything is wider: outlines only
 
 /// Counts the shapes and holes of a clean black and white picture, cut at this grey level.
 int rings_in(const cv::Mat& picture, int level = 128) {
@@ -34,7 +34,7 @@ void expect_rings(const cv::Mat& picture, int rings) {
     const LabPicture lab = to_lab(picture);
     const double noise = noise_of(lab);
     for (const std::vector<Chain>& lines :
-         {region_lines(lab, noise, kAnyWidth_px), stroke_lines(lab, noise, kAnyWidth_px)}) {
+         {region_lines(lab, noise, any_width_px), stroke_lines(lab, noise, any_width_px)}) {
         EXPECT_EQ(static_cast<int>(lines.size()), rings);
         EXPECT_TRUE(std::ranges::all_of(lines, &Chain::is_closed));
     }
@@ -99,7 +99,7 @@ TEST(RegionLines, ABorderIsOneLineAndItsPlaceIsRight) {
         canvas.fill({testing::arc({200.0, 150.0}, {60.0, 60.0})}, {200, 160, 40});
         const LabPicture lab =
             to_lab(testing::seen(canvas.picture(), testing::effects_of_kind(kind, kind)));
-        const std::vector<Chain> lines = region_lines(lab, noise_of(lab), kAnyWidth_px);
+        const std::vector<Chain> lines = region_lines(lab, noise_of(lab), any_width_px);
         ASSERT_EQ(lines.size(), 2U);
         for (const Chain& line : lines) {
             EXPECT_TRUE(line.is_closed);
@@ -124,7 +124,7 @@ TEST(RegionLines, ThreeColoursMeetInOnePoint) {
     canvas.fill({{{{50, 50}, {250, 50}, {250, 150}, {50, 150}}, true}}, {30, 30, 200});
     canvas.fill({{{{50, 150}, {250, 150}, {250, 250}, {50, 250}}, true}}, {200, 120, 30});
     const LabPicture lab = to_lab(canvas.picture());
-    const std::vector<Chain> lines = region_lines(lab, noise_of(lab), kAnyWidth_px);
+    const std::vector<Chain> lines = region_lines(lab, noise_of(lab), any_width_px);
     // The border between the two, and the outer ring or its two halves; ends meet ends bit for bit.
     std::vector<cv::Point2d> ends;
     for (const Chain& line : lines) {

@@ -11,7 +11,7 @@ namespace touchline {
 namespace {
 
 const cv::Size wide_picture(400, 300);
-constexpr double kWidest_px = 12.0;
+constexpr double widest_stroke_px = 12.0;
 
 /// A wave and its parallels: `offset_px` to the right of its way.
 struct Wave {
@@ -77,7 +77,7 @@ RC_GTEST_PROP(DoubleEdges, BothEdgesOfAStripeBecomeItsMiddle, ()) {
     if (*rc::gen::arbitrary<bool>()) std::ranges::reverse(left.points);
     if (*rc::gen::arbitrary<bool>()) std::ranges::reverse(right.points);
     const std::vector<Chain> merged =
-        with_double_edges_merged({left, right}, wide_picture, kWidest_px);
+        with_double_edges_merged({left, right}, wide_picture, widest_stroke_px);
     RC_ASSERT(merged.size() == 1U);
     RC_ASSERT(std::abs(merged[0].width_px - width) < 0.3);
     RC_ASSERT(length_of(merged[0]) > 0.9 * length_of(left));
@@ -100,7 +100,8 @@ RC_GTEST_PROP(DoubleEdges, WhatIsNoStripeStaysAsItIs, ()) {
         for (EdgePoint& p : left.points) p.to_light = {0.0F, 0.0F};
     }
     const std::vector<Chain> lines{left, right};
-    const std::vector<Chain> after = with_double_edges_merged(lines, wide_picture, kWidest_px);
+    const std::vector<Chain> after =
+        with_double_edges_merged(lines, wide_picture, widest_stroke_px);
     RC_ASSERT(after.size() == 2U);
     RC_ASSERT(are_same(after[0], left));
     RC_ASSERT(are_same(after[1], right));
@@ -108,8 +109,8 @@ RC_GTEST_PROP(DoubleEdges, WhatIsNoStripeStaysAsItIs, ()) {
 
 TEST(DoubleEdges, AThinRingBecomesAnOpenLineAlongItsMiddle) {
     for (const double light : {1.0, -1.0}) {
-        const std::vector<Chain> lines =
-            with_double_edges_merged({ring({200, 150}, {60, 4}, light)}, wide_picture, kWidest_px);
+        const std::vector<Chain> lines = with_double_edges_merged(
+            {ring({200, 150}, {60, 4}, light)}, wide_picture, widest_stroke_px);
         ASSERT_EQ(lines.size(), 1U);
         EXPECT_FALSE(lines[0].is_closed);
         EXPECT_GT(lines[0].width_px, 5.0);
@@ -122,7 +123,8 @@ TEST(DoubleEdges, AThinRingBecomesAnOpenLineAlongItsMiddle) {
 
 TEST(DoubleEdges, ABlobStaysARing) {
     const Chain blob = ring({200, 150}, {5, 4}, 1.0);
-    const std::vector<Chain> lines = with_double_edges_merged({blob}, wide_picture, kWidest_px);
+    const std::vector<Chain> lines =
+        with_double_edges_merged({blob}, wide_picture, widest_stroke_px);
     ASSERT_EQ(lines.size(), 1U);
     EXPECT_TRUE(are_same(lines[0], blob));
 }
@@ -130,7 +132,7 @@ TEST(DoubleEdges, ABlobStaysARing) {
 TEST(DoubleEdges, AnAnnulusBecomesARing) {
     const std::vector<Chain> lines = with_double_edges_merged(
         {ring({200, 150}, {50, 50}, 1.0), ring({200, 150}, {44, 44}, -1.0)}, wide_picture,
-        kWidest_px);
+        widest_stroke_px);
     ASSERT_EQ(lines.size(), 1U);
     EXPECT_TRUE(lines[0].is_closed);
     EXPECT_NEAR(lines[0].width_px, 6.0, 0.2);
@@ -151,7 +153,7 @@ TEST(DoubleEdges, ALineThatMetAnEdgeMeetsTheMiddle) {
     }
     arm.points.push_back(junction);
     const std::vector<Chain> lines =
-        with_double_edges_merged({left, arm, right}, wide_picture, kWidest_px);
+        with_double_edges_merged({left, arm, right}, wide_picture, widest_stroke_px);
     ASSERT_EQ(lines.size(), 2U);
     const Chain& middle = lines[0].width_px > 0.0 ? lines[0] : lines[1];
     const Chain& other = lines[0].width_px > 0.0 ? lines[1] : lines[0];
@@ -166,7 +168,7 @@ TEST(DoubleEdges, OfThreeLinesTheNarrowestPairIsMerged) {
     const std::vector<Chain> lines = with_double_edges_merged(
         {edge(straight, 50.0, 350.0, 0.0, true), edge(straight, 50.0, 350.0, 10.0, false),
          edge(straight, 50.0, 350.0, 14.0, true)},
-        wide_picture, kWidest_px);
+        wide_picture, widest_stroke_px);
     ASSERT_EQ(lines.size(), 2U);
     EXPECT_NEAR(std::max(lines[0].width_px, lines[1].width_px), 4.0, 0.1);
 }

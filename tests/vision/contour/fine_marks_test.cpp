@@ -13,8 +13,8 @@ namespace {
 using testing::Canvas;
 using testing::Polyline;
 
-constexpr double kThickest_px = 30.0;  // 3 mm
-const cv::Scalar kInk(90, 40, 20);
+constexpr double thickest_mark_px = 30.0;  // 3 mm
+const cv::Scalar ink_bgr(90, 40, 20);
 
 /// Has a black square, which makes the picture one of areas.
 struct Sheet {
@@ -27,7 +27,7 @@ struct Sheet {
 
 std::vector<Chain> lines_beside_the_area(const Canvas& canvas) {
     const LabPicture lab = to_lab(canvas.picture());
-    std::vector<Chain> lines = region_lines(lab, noise_of(lab), kThickest_px);
+    std::vector<Chain> lines = region_lines(lab, noise_of(lab), thickest_mark_px);
     std::erase_if(lines, [](const Chain& line) { return line.points.front().at.x < 250.0; });
     return lines;
 }
@@ -37,7 +37,7 @@ TEST(FineMarks, DashesBesideAnAreaAreOneLine) {
     Canvas& canvas = sheet.canvas;
     for (int i = 0; i < 10; ++i) {
         const double x = 300.0 + 50.0 * i;
-        canvas.stroke({{{{x, 400}, {x + 28.0, 400}}, false}}, 6.0, kInk);
+        canvas.stroke({{{{x, 400}, {x + 28.0, 400}}, false}}, 6.0, ink_bgr);
     }
     const std::vector<Chain> lines = lines_beside_the_area(canvas);
     ASSERT_EQ(lines.size(), 1U);
@@ -49,7 +49,7 @@ TEST(FineMarks, AHairLineBesideAnAreaIsWhole) {
     for (const double width_px : {0.6, 1.0, 1.6}) {
         Sheet sheet;
         Canvas& canvas = sheet.canvas;
-        canvas.stroke({testing::arc({570, 330}, {200, 150})}, width_px, kInk);
+        canvas.stroke({testing::arc({570, 330}, {200, 150})}, width_px, ink_bgr);
         const std::vector<Chain> lines = lines_beside_the_area(canvas);
         ASSERT_EQ(lines.size(), 1U) << width_px;
         EXPECT_TRUE(lines.front().is_closed) << width_px;
@@ -59,8 +59,9 @@ TEST(FineMarks, AHairLineBesideAnAreaIsWhole) {
 TEST(FineMarks, LettersAndSpecksAreNoLines) {
     Sheet sheet;
     Canvas& canvas = sheet.canvas;
-    canvas.write("small words", {300, 300}, {"DejaVu Sans", 28.0}, kInk);
-    for (int i = 0; i < 4; ++i) canvas.fill({testing::arc({400.0 + 57.0 * i, 500}, {4, 4})}, kInk);
+    canvas.write("small words", {300, 300}, {"DejaVu Sans", 28.0}, ink_bgr);
+    for (int i = 0; i < 4; ++i)
+        canvas.fill({testing::arc({400.0 + 57.0 * i, 500}, {4, 4})}, ink_bgr);
     EXPECT_EQ(lines_beside_the_area(canvas).size(), 0U);
 }
 

@@ -23,12 +23,12 @@ constexpr int everyday = 45;  // ten times as slow
 constexpr int everyday = 450;
 #endif
 constexpr int exhaustive = 20'000;
-const cv::Size kPicture(560, 420);
+const cv::Size picture_size(560, 420);
 constexpr double least_right = 0.995;
-constexpr double kNear_px = 10.0;
+constexpr double near_joint_px = 10.0;
 
 std::vector<Polyline> found_in(const PenFigure& figure, int seed) {
-    testing::Canvas canvas(kPicture, {250, 250, 250});
+    testing::Canvas canvas(picture_size, {250, 250, 250});
     canvas.stroke(figure.lines, figure.pen, {20, 20, 20});
     const cv::Mat picture =
         testing::seen(canvas.picture(), testing::effects_of_kind(seed % 3, seed));
@@ -49,13 +49,13 @@ struct Outcome {
 };
 
 Outcome outcome_of(int seed) {
-    const PenFigure figure = testing::pen_figure(seed, kPicture);
+    const PenFigure figure = testing::pen_figure(seed, picture_size);
     const std::vector<Polyline> found = found_in(figure, seed);
     const auto drawn = testing::topology_of(figure.lines);
     const auto felt = testing::topology_of(found);
     const double off_px = std::max(testing::farthest_px(figure.lines, found),
                                    testing::farthest_px(found, figure.lines));
-    if (!(drawn == felt) || off_px > kNear_px)
+    if (!(drawn == felt) || off_px > near_joint_px)
         fmt::print("{}, seed {}, pen {:.1f} px: drawn {}; found {}; {:.1f} px off\n", figure.name,
                    seed, figure.pen.width_px, words_of(drawn), words_of(felt), off_px);
     return {drawn == felt, off_px};
@@ -69,7 +69,7 @@ TEST(Joints, FiguresHangTogetherAsDrawn) {
     for (int seed = 0; seed < count; ++seed) {
         const Outcome outcome = outcome_of(seed);
         together += outcome.hangs_together ? 1 : 0;
-        near += outcome.off_px <= kNear_px ? 1 : 0;
+        near += outcome.off_px <= near_joint_px ? 1 : 0;
     }
     fmt::print("{} figures: {} hang together as drawn, {} lie within a millimetre\n", count,
                together, near);

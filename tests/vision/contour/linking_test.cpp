@@ -10,7 +10,8 @@
 namespace touchline {
 namespace {
 
-constexpr Reach kReach{.junction_px = 5.0, .gap_px = 10.0, .blur_px = 1.5, .shortest_px = 12.0};
+constexpr Reach linking_reach{
+    .junction_px = 5.0, .gap_px = 10.0, .blur_px = 1.5, .shortest_px = 12.0};
 const cv::Size small_picture(200, 150);
 
 Chain straight(cv::Point2d from, cv::Point2d to) {
@@ -40,7 +41,7 @@ bool has_point(const Chain& chain, const cv::Point2d& p) {
 
 TEST(Linking, LinesInLineAreJoinedAcrossAGap) {
     const Linked result = linked({straight({30, 50}, {80, 50}), straight({88, 50.5}, {140, 51})},
-                                 small_picture, kReach);
+                                 small_picture, linking_reach);
     ASSERT_EQ(result.chains.size(), 1U);
     EXPECT_EQ(result.gaps_closed, 1);
     EXPECT_NEAR(length_of(result.chains[0]), 110.0, 0.1);
@@ -48,7 +49,7 @@ TEST(Linking, LinesInLineAreJoinedAcrossAGap) {
 
 TEST(Linking, LinesOutOfLineStayApart) {
     const Linked result = linked({straight({30, 50}, {80, 50}), straight({88, 50}, {88, 100})},
-                                 small_picture, kReach);
+                                 small_picture, linking_reach);
     EXPECT_EQ(result.chains.size(), 2U);
     EXPECT_EQ(result.gaps_closed, 0);
 }
@@ -56,21 +57,21 @@ TEST(Linking, LinesOutOfLineStayApart) {
 TEST(Linking, TheNearerOfTwoContinuationsIsTaken) {
     const Linked result = linked({straight({30, 50}, {80, 50}), straight({84, 50}, {140, 50}),
                                   straight({92, 53}, {140, 70})},
-                                 small_picture, kReach);
+                                 small_picture, linking_reach);
     ASSERT_EQ(result.chains.size(), 2U);
     EXPECT_EQ(result.gaps_closed, 1);
     EXPECT_NEAR(std::max(length_of(result.chains[0]), length_of(result.chains[1])), 110.0, 0.1);
 }
 
 TEST(Linking, ABrokenRingIsClosed) {
-    const Linked result = linked({circle({100, 75}, 40, 5, 355)}, small_picture, kReach);
+    const Linked result = linked({circle({100, 75}, 40, 5, 355)}, small_picture, linking_reach);
     ASSERT_EQ(result.chains.size(), 1U);
     EXPECT_TRUE(result.chains[0].is_closed);
 }
 
 TEST(Linking, AnEndBesideALineMeetsItInOnePoint) {
     const Linked result = linked({straight({20, 60}, {180, 60}), straight({100, 130}, {100, 63.5})},
-                                 small_picture, kReach);
+                                 small_picture, linking_reach);
     ASSERT_EQ(result.chains.size(), 2U);
     EXPECT_EQ(result.junctions, 1);
     for (const Chain& chain : result.chains) {
@@ -83,7 +84,8 @@ TEST(Linking, AnEndBesideARingMeetsIt) {
     Chain ring = circle({100, 75}, 40, 0, 360);
     ring.points.pop_back();
     ring.is_closed = true;
-    const Linked result = linked({ring, straight({190, 75}, {143, 75})}, small_picture, kReach);
+    const Linked result =
+        linked({ring, straight({190, 75}, {143, 75})}, small_picture, linking_reach);
     ASSERT_EQ(result.chains.size(), 2U);
     EXPECT_EQ(result.junctions, 1);
     EXPECT_TRUE(result.chains[0].is_closed || result.chains[1].is_closed);
@@ -100,7 +102,7 @@ TEST(Linking, ThreeEndsTogetherMeetWhereTheirLinesCross) {
         const cv::Point2d out(std::cos(a), std::sin(a));
         arms.push_back(straight(centre + 50.0 * out, centre + 2.0 * out));
     }
-    const Linked result = linked(arms, small_picture, kReach);
+    const Linked result = linked(arms, small_picture, linking_reach);
     ASSERT_EQ(result.chains.size(), 3U);
     const cv::Point2d at = result.chains[0].points.front().is_fixed
                                ? result.chains[0].points.front().at
@@ -114,22 +116,22 @@ TEST(Linking, ThreeEndsTogetherMeetWhereTheirLinesCross) {
 TEST(Linking, ACrossingFromBothSidesIsOneJunctionAndRunsThrough) {
     const Linked result = linked({straight({20, 60}, {180, 60}), straight({100, 130}, {100, 63}),
                                   straight({101, 10}, {101, 57})},
-                                 small_picture, kReach);
+                                 small_picture, linking_reach);
     EXPECT_EQ(result.chains.size(), 2U);
     EXPECT_EQ(result.junctions, 1);
 }
 
 TEST(Linking, AnEndAtTheFrameReachesIt) {
-    const Linked result = linked({straight({0, 60}, {120, 60})}, small_picture, kReach);
+    const Linked result = linked({straight({0, 60}, {120, 60})}, small_picture, linking_reach);
     ASSERT_EQ(result.chains.size(), 1U);
     EXPECT_EQ(result.chains[0].points.front().at, cv::Point2d(-0.5, 60));
 }
 
 TEST(Linking, WhatOneSideOfTheFrameCutsIsClosed) {
-    const Linked closed = linked({circle({100, 149}, 40, 180, 360)}, small_picture, kReach);
+    const Linked closed = linked({circle({100, 149}, 40, 180, 360)}, small_picture, linking_reach);
     ASSERT_EQ(closed.chains.size(), 1U);
     EXPECT_TRUE(closed.chains[0].is_closed);
-    const Linked across = linked({straight({0, 60}, {199, 60})}, small_picture, kReach);
+    const Linked across = linked({straight({0, 60}, {199, 60})}, small_picture, linking_reach);
     EXPECT_FALSE(across.chains[0].is_closed);
 }
 
@@ -144,7 +146,7 @@ TEST(Linking, WhatACornerOfTheFrameCutsIsClosedThroughIt) {
             if (is_turned) {
                 std::ranges::reverse(arc.points);
             }
-            const Linked result = linked({arc}, small_picture, kReach);
+            const Linked result = linked({arc}, small_picture, linking_reach);
             ASSERT_EQ(result.chains.size(), 1U);
             EXPECT_TRUE(result.chains[0].is_closed);
             EXPECT_EQ(result.chains[0].points.back().at, corner);
@@ -156,14 +158,14 @@ TEST(Linking, WhatACornerOfTheFrameCutsIsClosedThroughIt) {
 TEST(Linking, WhatOnlyRunsFromSideToSideStaysOpen) {
     for (const auto& [from, to] : std::vector<std::pair<cv::Point2d, cv::Point2d>>{
              {{0, 100}, {50, 149}}, {{0, 140}, {190, 149}}, {{0, 60}, {199, 40}}}) {
-        const Linked result = linked({straight(from, to)}, small_picture, kReach);
+        const Linked result = linked({straight(from, to)}, small_picture, linking_reach);
         ASSERT_EQ(result.chains.size(), 1U);
         EXPECT_FALSE(result.chains[0].is_closed) << from;
     }
 }
 
 TEST(Linking, NothingComesOfNothing) {
-    EXPECT_TRUE(linked({}, small_picture, kReach).chains.empty());
+    EXPECT_TRUE(linked({}, small_picture, linking_reach).chains.empty());
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace touchline::testing {
 namespace {
 
-constexpr int kSamples = 8;
+constexpr int samples_per_px = 8;
 
 Ring regular(int corners, double radius, double inner_radius) {
     Ring ring;
@@ -40,9 +40,10 @@ std::vector<Ring> letter_l() {
 }
 
 void arc(Ring& ring, cv::Point2d centre, double radius, double from_deg, double to_deg) {
-    constexpr int kSteps = 60;
-    for (int i = 0; i <= kSteps; ++i) {
-        const double a = (from_deg + (to_deg - from_deg) * i / kSteps) * std::numbers::pi / 180.0;
+    constexpr int arc_steps = 60;
+    for (int i = 0; i <= arc_steps; ++i) {
+        const double a =
+            (from_deg + (to_deg - from_deg) * i / arc_steps) * std::numbers::pi / 180.0;
         ring.emplace_back(centre.x + radius * std::cos(a), centre.y + radius * std::sin(a));
     }
 }
@@ -72,8 +73,8 @@ Shape placed(std::string name, std::vector<Ring> rings, cv::Point2d centre, doub
 /// Counts the covered samples of each pixel by the crossings of every sample row with the rings.
 cv::Mat1d coverage(const Shape& shape, cv::Size size) {
     cv::Mat1d covered(size, 0.0);
-    for (int row = 0; row < size.height * kSamples; ++row) {
-        const double y = (row + 0.5) / kSamples;
+    for (int row = 0; row < size.height * samples_per_px; ++row) {
+        const double y = (row + 0.5) / samples_per_px;
         std::vector<double> crossings;
         for (const Ring& ring : shape.rings) {
             for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -87,11 +88,13 @@ cv::Mat1d coverage(const Shape& shape, cv::Size size) {
         std::ranges::sort(crossings);
         for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
             const int from =
-                std::max(0, static_cast<int>(std::ceil(crossings[i] * kSamples - 0.5)));
-            const int to = std::min(size.width * kSamples,
-                                    static_cast<int>(std::ceil(crossings[i + 1] * kSamples - 0.5)));
+                std::max(0, static_cast<int>(std::ceil(crossings[i] * samples_per_px - 0.5)));
+            const int to =
+                std::min(size.width * samples_per_px,
+                         static_cast<int>(std::ceil(crossings[i + 1] * samples_per_px - 0.5)));
             for (int column = from; column < to; ++column) {
-                covered(row / kSamples, column / kSamples) += 1.0 / (kSamples * kSamples);
+                covered(row / samples_per_px, column / samples_per_px) +=
+                    1.0 / (samples_per_px * samples_per_px);
             }
         }
     }

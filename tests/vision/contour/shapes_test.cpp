@@ -14,9 +14,9 @@ struct Placement {
     double angle_deg;
 };
 
-constexpr double kSmooth_px = 0.5;
-constexpr double kCorner_px = 1.0;
-constexpr double kTip_px = 3.0;
+constexpr double smooth_limit_px = 0.5;
+constexpr double corner_limit_px = 1.0;
+constexpr double tip_limit_px = 3.0;
 
 const std::vector<Placement> placements{
     {{300, 300}, 220.0, 0.0}, {{400, 300}, 200.0, 17.0}, {{420, 360}, 270.0, 31.0}};
@@ -32,9 +32,9 @@ void expect_traced(const Look& look, double allowance) {
             EXPECT_EQ(lines.chains.size(), shape.rings.size());
             EXPECT_TRUE(std::ranges::all_of(lines.chains, &Chain::is_closed));
             const Distances found = distances(shape, lines_in_pixels(lines, place.picture));
-            EXPECT_LE(found.smooth_px, allowance * kSmooth_px);
-            EXPECT_LE(found.corner_px, allowance * kCorner_px);
-            EXPECT_LE(found.tip_px, allowance * kTip_px);
+            EXPECT_LE(found.smooth_px, allowance * smooth_limit_px);
+            EXPECT_LE(found.corner_px, allowance * corner_limit_px);
+            EXPECT_LE(found.tip_px, allowance * tip_limit_px);
         }
     }
 }

@@ -13,7 +13,7 @@ using testing::Canvas;
 using testing::Pictogram;
 using testing::Polyline;
 
-constexpr double kUnits = 24.0;
+constexpr double pictogram_units = 24.0;
 
 /// How a pictogram lies on a picture: its size, its strokes' width, its turn, its look.
 struct Setting {
@@ -29,7 +29,7 @@ std::vector<Setting> settings() {
 }
 
 std::vector<Polyline> placed(const Pictogram& pictogram, const Setting& setting, double margin_px) {
-    const double scale = setting.size_px / kUnits;
+    const double scale = setting.size_px / pictogram_units;
     const cv::Point2d middle(0.5 * setting.size_px + margin_px, 0.5 * setting.size_px + margin_px);
     const cv::Point2d corner =
         testing::placed({{{-12.0, -12.0}}, false}, middle, scale, setting.angle_deg).points.front();
@@ -65,7 +65,7 @@ std::string name_of(const Pictogram& pictogram, const Setting& setting) {
 
 TEST(StrokeLines, MiddleLinesOfPictogramsWithinHalfAStroke) {
     for (const Setting& setting : settings()) {
-        const double width_px = setting.width_units * setting.size_px / kUnits;
+        const double width_px = setting.width_units * setting.size_px / pictogram_units;
         for (const Pictogram& pictogram : testing::pictograms()) {
             SCOPED_TRACE(name_of(pictogram, setting));
             const double margin_px = 0.35 * setting.size_px;
@@ -99,7 +99,7 @@ TEST(StrokeLines, TheBorderOfAHardEdgedShapeHasAStrength) {
 
 TEST(StrokeLines, FilledPictogramsGiveTheirOutline) {
     for (const Setting& setting : settings()) {
-        const double width_px = setting.width_units * setting.size_px / kUnits;
+        const double width_px = setting.width_units * setting.size_px / pictogram_units;
         for (const Pictogram& pictogram : testing::pictograms()) {
             if (!pictogram.lines.front().is_closed) {
                 continue;

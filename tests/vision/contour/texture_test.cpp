@@ -68,8 +68,8 @@ TEST(IsoRings, AHoleHasItsOwnRingTheOtherWayRound) {
     EXPECT_NEAR(area_within(rings[1]), -0.5, 0.1);
 }
 
-const cv::Size kPicture(600, 400);
-constexpr TextureScale kScale{.spacing_px = 12.0, .longest_px = 80.0, .smallest_px = 60.0};
+const cv::Size picture_size(600, 400);
+constexpr TextureScale texture_scale{.spacing_px = 12.0, .longest_px = 80.0, .smallest_px = 60.0};
 
 /// Upright strokes of `length_px`, `spacing_px` apart both ways, all over a rectangle.
 std::vector<Chain> grass(cv::Rect2d where, double spacing_px, double length_px) {
@@ -99,7 +99,7 @@ TEST(Texture, ManyShortLinesCloseTogetherBecomeOneOutlineRoundThem) {
     std::vector<Chain> lines = grass(meadow, 6.0, 18.0);
     lines.push_back(level_line(170.0));                        // a long line through them
     lines.push_back(grass({500, 50, 20, 20}, 30.0, 18.0)[0]);  // a short one on its own
-    const std::vector<Chain> after = with_textures_outlined(lines, kPicture, kScale);
+    const std::vector<Chain> after = with_textures_outlined(lines, picture_size, texture_scale);
     EXPECT_LT(after.size(), lines.size() / 10);
     EXPECT_EQ(std::ranges::count(after, LineOf::texture, &Chain::of), 1);
     EXPECT_TRUE(std::ranges::any_of(after, [](const Chain& c) { return length_of(c) == 579.0; }));
@@ -117,7 +117,7 @@ TEST(Texture, ManyShortLinesCloseTogetherBecomeOneOutlineRoundThem) {
 
 TEST(Texture, AtTheFrameTheOutlineRunsAlongIt) {
     const std::vector<Chain> after =
-        with_textures_outlined(grass({0, 200, 250, 200}, 6.0, 18.0), kPicture, kScale);
+        with_textures_outlined(grass({0, 200, 250, 200}, 6.0, 18.0), picture_size, texture_scale);
     ASSERT_EQ(after.back().of, LineOf::texture);
     double left = 1e9;
     double bottom = -1e9;
@@ -137,7 +137,7 @@ RC_GTEST_PROP(Texture, SparseLongFewOrSmallIsNoTexture, ()) {
                                      : kind == 1 ? grass(all, spacing, 90.0)               // long
                                      : kind == 2 ? grass({50, 50, 40, 40}, spacing, 18.0)  // small
                                                  : grass({0, 0, 600, 400}, spacing, 18.0);  // all
-    const std::vector<Chain> after = with_textures_outlined(lines, kPicture, kScale);
+    const std::vector<Chain> after = with_textures_outlined(lines, picture_size, texture_scale);
     RC_ASSERT(after.size() == lines.size());
     for (std::size_t i = 0; i < lines.size(); ++i) {
         RC_ASSERT(after[i].of == LineOf::edge);

@@ -14,19 +14,19 @@
 namespace touchline::testing {
 namespace {
 
-const SpacingScale kScale{{116.0, 84.0}, 3.2, 0.25};
+const SpacingScale eye_scale{{116.0, 84.0}, 3.2, 0.25};
 
 /// An eye between two corners, with sides this far apart in the middle.
 Chain eye(double width_mm, double opening_mm) {
-    constexpr int kParts = 40;
+    constexpr int side_parts = 40;
     Chain ring{{}, true};
     const auto add = [&](int i, double side) {
-        const double x = static_cast<double>(i) / kParts;
+        const double x = static_cast<double>(i) / side_parts;
         const double y = side * 2.0 * opening_mm * x * (1.0 - x);
-        ring.points.push_back({{50.0 + x * width_mm, 40.0 + y}, 0.0, i == 0 || i == kParts});
+        ring.points.push_back({{50.0 + x * width_mm, 40.0 + y}, 0.0, i == 0 || i == side_parts});
     };
-    for (int i = 0; i <= kParts; ++i) add(i, -1.0);
-    for (int i = kParts - 1; i > 0; --i) add(i, 1.0);
+    for (int i = 0; i <= side_parts; ++i) add(i, -1.0);
+    for (int i = side_parts - 1; i > 0; --i) add(i, 1.0);
     return ring;
 }
 
@@ -38,17 +38,17 @@ double height_of(const Chain& line) {
 
 TEST(SlitRings, ANarrowRingIsOpenedAndKeepsItsCorners) {
     for (const double opening_mm : {0.2, 1.0, 3.0}) {
-        const Chain opened = opened_for_finger(eye(14.0, opening_mm), kScale);
+        const Chain opened = opened_for_finger(eye(14.0, opening_mm), eye_scale);
         EXPECT_TRUE(opened.is_closed);
         EXPECT_GE(height_of(opened), 3.6 - 1e-6) << opening_mm;
-        EXPECT_LE(height_of(opened), 6.0 + kScale.step_mm) << opening_mm;
+        EXPECT_LE(height_of(opened), 6.0 + eye_scale.step_mm) << opening_mm;
         EXPECT_EQ(std::ranges::count(opened.points, true, &EdgePoint::is_fixed), 2);
         EXPECT_LT(distance(opened.points.front().at, {50.0, 40.0}), 1e-9);
     }
 }
 
 TEST(SlitRings, AWideRingStaysAsWideAsItIs) {
-    EXPECT_NEAR(height_of(opened_for_finger(eye(30.0, 12.0), kScale)), 12.0, 0.1);
+    EXPECT_NEAR(height_of(opened_for_finger(eye(30.0, 12.0), eye_scale)), 12.0, 0.1);
 }
 
 TEST(SlitRings, TheMiddleRunsFromCornerToCorner) {
@@ -63,8 +63,8 @@ TEST(SlitRings, WhereTheRingBeginsDoesNotMatter) {
     Chain ring = eye(14.0, 2.0);
     std::ranges::rotate(ring.points, ring.points.begin() + 17);
     EXPECT_FALSE(middle_of(ring).is_closed);
-    EXPECT_NEAR(height_of(opened_for_finger(ring, kScale)),
-                height_of(opened_for_finger(eye(14.0, 2.0), kScale)), 1e-6);
+    EXPECT_NEAR(height_of(opened_for_finger(ring, eye_scale)),
+                height_of(opened_for_finger(eye(14.0, 2.0), eye_scale)), 1e-6);
 }
 
 TEST(SlitRings, WhatHasNoTwoCornersOrNoWidthStaysAsItIs) {
@@ -75,12 +75,12 @@ TEST(SlitRings, WhatHasNoTwoCornersOrNoWidthStaysAsItIs) {
     Chain open = eye(14.0, 2.0);
     open.is_closed = false;
     for (const Chain& line : {round, cornered, open, Chain{}, Chain{{}, true}}) {
-        for (const Chain& same : {opened_for_finger(line, kScale), middle_of(line)}) {
+        for (const Chain& same : {opened_for_finger(line, eye_scale), middle_of(line)}) {
             EXPECT_EQ(same.is_closed, line.is_closed);
             EXPECT_EQ(same.points.size(), line.points.size());
         }
     }
-    EXPECT_LT(height_of(opened_for_finger(eye(14.0, 0.0), kScale)), 1e-9);
+    EXPECT_LT(height_of(opened_for_finger(eye(14.0, 0.0), eye_scale)), 1e-9);
 }
 
 /// Lines are as far apart as a finger can tell; number and length are free.

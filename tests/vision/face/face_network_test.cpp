@@ -19,12 +19,12 @@
 namespace touchline::testing {
 namespace {
 
-constexpr int kRows = 896;
+constexpr int anchor_count = 896;
 
 /// The network's answer when it finds nothing.
 struct Answer {
-    cv::Mat1f scores = cv::Mat1f(kRows, 1, -50.0F);
-    cv::Mat1f places = cv::Mat1f(kRows, 16, 0.0F);
+    cv::Mat1f scores = cv::Mat1f(anchor_count, 1, -50.0F);
+    cv::Mat1f places = cv::Mat1f(anchor_count, 16, 0.0F);
 
     /// Adds a box of 40 x 50 with eyes, its centre (dx, dy) from the row's anchor.
     void add(int row, float score, float dx = 0.0F, float dy = 0.0F) {
@@ -52,8 +52,8 @@ std::vector<cv::Point2d> all_anchors() {
 
 TEST(FaceBoxes, EachRowHasItsAnchor) {
     const std::vector<cv::Point2d> anchors = all_anchors();
-    ASSERT_EQ(anchors.size(), static_cast<std::size_t>(kRows));
-    for (int row = 0; row < kRows; ++row) {
+    ASSERT_EQ(anchors.size(), static_cast<std::size_t>(anchor_count));
+    for (int row = 0; row < anchor_count; ++row) {
         Answer answer;
         answer.add(row, 3.0F, 1.5F, -2.0F);
         const std::vector<FaceBox> boxes = answer.boxes();
@@ -98,9 +98,9 @@ TEST(FaceBoxes, ManyBoxesOfOneLookLeaveRoomForThoseOfTheNext) {
 }
 
 TEST(FaceBoxes, NumbersThatAreNoBoxGiveNone) {
-    constexpr float kNoNumber = std::numeric_limits<float>::quiet_NaN();
+    constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
     constexpr float infinite = std::numeric_limits<float>::infinity();
-    for (const float bad : {kNoNumber, infinite, -infinite, 1e30F, -1e30F, 2000.0F}) {
+    for (const float bad : {not_a_number, infinite, -infinite, 1e30F, -1e30F, 2000.0F}) {
         for (int k = 0; k < 8; ++k) {
             Answer answer;
             answer.add(300, 5.0F);
@@ -108,7 +108,7 @@ TEST(FaceBoxes, NumbersThatAreNoBoxGiveNone) {
             EXPECT_TRUE(answer.boxes().empty()) << bad << " as number " << k;
         }
     }
-    for (const float bad : {kNoNumber, -infinite}) {
+    for (const float bad : {not_a_number, -infinite}) {
         Answer answer;
         answer.add(300, bad);
         EXPECT_TRUE(answer.boxes().empty()) << bad;

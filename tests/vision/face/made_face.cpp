@@ -149,10 +149,10 @@ std::string MadeFace::words() const {
 }
 
 FaceMesh with_round_mouth(FaceMesh mesh) {
-    constexpr double kHigh = 0.65;  // its height over its width
+    constexpr double height_over_width = 0.65;  // its height over its width
     const cv::Point2d centre = 0.5 * (mesh[78] + mesh[308]);
     const cv::Point2d across = mesh[308] - centre;
-    const cv::Point2d down = kHigh * cv::Point2d(-across.y, across.x);
+    const cv::Point2d down = height_over_width * cv::Point2d(-across.y, across.x);
     for (const auto& [lip, side] : {std::pair(&upper_lip, -1.0), std::pair(&lower_lip, 1.0)}) {
         for (std::size_t k = 0; k < lip->size(); ++k) {
             const double angle = std::numbers::pi * static_cast<double>(k) / 10.0;

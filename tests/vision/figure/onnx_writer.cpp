@@ -47,23 +47,23 @@ std::string node_bytes(const OnnxNode& node) {
 }
 
 std::string constant_bytes(const OnnxConstant& constant) {
-    constexpr std::int64_t kFloat = 1;
+    constexpr std::int64_t float_type = 1;
     std::string bytes;
     for (const std::int64_t size : constant.shape) {
         bytes += number(1, size);
     }
     std::string raw(constant.values.size() * sizeof(float), '\0');
     std::memcpy(raw.data(), constant.values.data(), raw.size());
-    return bytes + number(2, kFloat) + part(8, constant.name) + part(9, raw);
+    return bytes + number(2, float_type) + part(8, constant.name) + part(9, raw);
 }
 
 std::string value_bytes(const OnnxValue& value) {
-    constexpr std::int64_t kFloat = 1;
+    constexpr std::int64_t float_type = 1;
     std::string shape;
     for (const std::int64_t size : value.shape) {
         shape += part(1, size > 0 ? number(1, size) : part(2, "any"));
     }
-    return part(1, value.name) + part(2, part(1, number(1, kFloat) + part(2, shape)));
+    return part(1, value.name) + part(2, part(1, number(1, float_type) + part(2, shape)));
 }
 
 }  // namespace

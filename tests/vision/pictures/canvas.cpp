@@ -114,8 +114,8 @@ cv::Mat Canvas::picture() const {
 
 Polyline arc(cv::Point2d centre, cv::Size2d radii, double from_deg, double to_deg) {
     const bool is_round = std::abs(to_deg - from_deg) >= 360.0;
-    constexpr double kStep_deg = 3.0;
-    const int steps = std::max(8, static_cast<int>(std::abs(to_deg - from_deg) / kStep_deg));
+    constexpr double arc_step_deg = 3.0;
+    const int steps = std::max(8, static_cast<int>(std::abs(to_deg - from_deg) / arc_step_deg));
     Polyline line{{}, is_round};
     for (int i = 0; i < steps + (is_round ? 0 : 1); ++i) {
         const double a = (from_deg + (to_deg - from_deg) * i / steps) * std::numbers::pi / 180.0;

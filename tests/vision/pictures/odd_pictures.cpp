@@ -10,14 +10,14 @@
 namespace touchline::testing {
 namespace {
 
-constexpr int kLongest_px = 200;
+constexpr int longest_side_px = 200;
 constexpr int size_bytes = 3;
 
 cv::Size size_of(ByteReader& bytes) {
     const int form = bytes.choice(16);
     const int one = bytes.byte();
     const int other = bytes.byte();
-    const int length_px = 1 + one % kLongest_px;
+    const int length_px = 1 + one % longest_side_px;
     const int strip_px = 16 + other % 8;
     switch (form) {
         case 0:
@@ -29,7 +29,7 @@ cv::Size size_of(ByteReader& bytes) {
         case 3:
             return {8 * std::max(2, one), strip_px};
         default:
-            return {length_px, 1 + other % kLongest_px};
+            return {length_px, 1 + other % longest_side_px};
     }
 }
 
@@ -78,8 +78,9 @@ cv::Mat3b raw(cv::Size size, ByteReader& bytes) {
 
 /// Measures the way along a direction that the bytes choose, 0 ... about 1 over the picture.
 auto way_of(cv::Size size, ByteReader& bytes) {
-    constexpr std::array<std::array<double, 2>, 4> kWays{{{1, 0}, {0, 1}, {0.5, 0.5}, {0.5, -0.5}}};
-    const auto [u, v] = kWays[static_cast<std::size_t>(bytes.choice(4))];
+    constexpr std::array<std::array<double, 2>, 4> directions{
+        {{1, 0}, {0, 1}, {0.5, 0.5}, {0.5, -0.5}}};
+    const auto [u, v] = directions[static_cast<std::size_t>(bytes.choice(4))];
     return [=](int x, int y) { return u * x / size.width + v * y / size.height; };
 }
 
@@ -304,7 +305,7 @@ std::vector<std::uint8_t> random_picture_bytes(std::uint64_t seed, int n, int be
     for (int i = 1; i < size_bytes; ++i) {
         std::uint8_t& side = bytes[static_cast<std::size_t>(before + i)];
         for (int more = 0; more < 2; ++more) {
-            side = std::min(side, static_cast<std::uint8_t>(random.below(kLongest_px)));
+            side = std::min(side, static_cast<std::uint8_t>(random.below(longest_side_px)));
         }
     }
     return bytes;

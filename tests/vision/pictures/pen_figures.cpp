@@ -14,7 +14,7 @@
 namespace touchline::testing {
 namespace {
 
-constexpr double kSharpest_deg = 15.0;
+constexpr double sharpest_deg = 15.0;
 
 cv::Point2d at_angle(double radius, double deg) {
     const double a = deg * std::numbers::pi / 180.0;
@@ -34,7 +34,7 @@ bool is_drawable(const Polyline& ring, double least_side) {
         const cv::Point2d& here = ring.points[i];
         const cv::Point2d& next = ring.points[(i + 1) % n];
         if (cv::norm(next - here) < least_side) return false;
-        if (angle_deg(ring.points[(i + n - 1) % n], here, next) < kSharpest_deg) return false;
+        if (angle_deg(ring.points[(i + n - 1) % n], here, next) < sharpest_deg) return false;
     }
     return true;
 }
@@ -66,7 +66,7 @@ std::vector<Polyline> pen_star(Chance& chance, double thin) {
 }
 
 std::vector<Polyline> pen_triangle(Chance& chance, double /*thin*/) {
-    const double half_deg = 0.5 * chance.between(kSharpest_deg, 60.0);
+    const double half_deg = 0.5 * chance.between(sharpest_deg, 60.0);
     const double half_base = 1.8 * std::tan(half_deg * std::numbers::pi / 180.0);
     const double reach = std::max(1.0, std::hypot(half_base, 0.8));
     Polyline ring{{{0.0, -1.0}, {half_base, 0.8}, {-half_base, 0.8}}, true};
@@ -76,7 +76,7 @@ std::vector<Polyline> pen_triangle(Chance& chance, double /*thin*/) {
 
 std::vector<Polyline> pen_zigzag(Chance& chance, double thin) {
     const int n = 2 + chance.below(5);
-    const double angle = chance.between(kSharpest_deg, 90.0);
+    const double angle = chance.between(sharpest_deg, 90.0);
     const double height = std::max(14.0 * thin, chance.between(0.6, 1.4));
     const double step = height * std::tan(0.5 * angle * std::numbers::pi / 180.0);
     Polyline line;
@@ -96,7 +96,7 @@ std::vector<Polyline> pen_arrow(Chance& chance, double /*thin*/) {
 }
 
 std::vector<Polyline> pen_crossing(Chance& chance, double /*thin*/) {
-    const double angle = chance.between(kSharpest_deg, 90.0);
+    const double angle = chance.between(sharpest_deg, 90.0);
     const cv::Point2d middle(chance.between(-0.15, 0.15), 0.0);
     return {{{{-1.0, 0.0}, middle, {1.0, 0.0}}, false},
             {{middle - at_angle(0.8, angle), middle, middle + at_angle(0.8, angle)}, false}};

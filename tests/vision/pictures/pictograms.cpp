@@ -135,7 +135,7 @@ std::vector<Pictogram> pictograms() {
 }
 
 double farthest_px(const std::vector<Polyline>& from, const std::vector<Polyline>& to) {
-    constexpr double kStep_px = 1.0;
+    constexpr double curve_step_px = 1.0;
     double worst = 0.0;
     const auto measure = [&](const cv::Point2d& p) {
         double nearest = std::numeric_limits<double>::infinity();
@@ -152,7 +152,7 @@ double farthest_px(const std::vector<Polyline>& from, const std::vector<Polyline
         for (std::size_t i = 0; i < segments(line); ++i) {
             const cv::Point2d a = line.points[i];
             const cv::Point2d b = line.points[(i + 1) % line.points.size()];
-            const int steps = 1 + static_cast<int>(cv::norm(b - a) / kStep_px);
+            const int steps = 1 + static_cast<int>(cv::norm(b - a) / curve_step_px);
             for (int k = 0; k <= steps; ++k) {
                 measure(a + (static_cast<double>(k) / steps) * (b - a));
             }

@@ -134,10 +134,10 @@ cv::Mat3f background(cv::Size size, Dice& dice) {
 }
 
 std::string word(Dice& dice) {
-    static constexpr const char* kLetters = "etaoinshrdlucmfwypvbgkETAOINSHR";
+    static constexpr const char* letters = "etaoinshrdlucmfwypvbgkETAOINSHR";
     std::string made;
     for (int n = 2 + dice.upto(8); n > 0; --n) {
-        made += kLetters[dice.upto(n == 1 ? 22 : 24)];
+        made += letters[dice.upto(n == 1 ? 22 : 24)];
     }
     return made;
 }

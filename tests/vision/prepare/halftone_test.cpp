@@ -13,13 +13,13 @@
 namespace touchline {
 namespace {
 
-const cv::Size kSize(1000, 724);
+const cv::Size print_size(1000, 724);
 
 /// A dark square on pale paper, printed as dots of black ink of this pitch.
 cv::Mat printed(double pitch_px, double turn_deg) {
     const double turn = turn_deg * std::numbers::pi / 180.0;
     const cv::Rect square(300, 160, 400, 400);
-    cv::Mat fine(kSize * 2, CV_8U);
+    cv::Mat fine(print_size * 2, CV_8U);
     for (int y = 0; y < fine.rows; ++y) {
         for (int x = 0; x < fine.cols; ++x) {
             const cv::Point2d at(0.5 * x, 0.5 * y);
@@ -32,7 +32,7 @@ cv::Mat printed(double pitch_px, double turn_deg) {
         }
     }
     cv::Mat picture;
-    cv::resize(fine, picture, kSize, 0.0, 0.0, cv::INTER_AREA);
+    cv::resize(fine, picture, print_size, 0.0, 0.0, cv::INTER_AREA);
     return picture;
 }
 
@@ -66,7 +66,7 @@ TEST(Halftone, APrintedShapeIsFeltAsItsShape) {
             ASSERT_TRUE(traced.has_value()) << traced.error().line;
             ASSERT_EQ(traced->map.outlines.size(), 1U) << pitch_px << " px, " << turn_deg;
             EXPECT_TRUE(traced->map.outlines.front().is_closed);
-            const double mm_per_px = 116.0 / kSize.width;
+            const double mm_per_px = 116.0 / print_size.width;
             for (const Position& p : traced->map.outlines.front().points) {
                 const double side_mm =
                     1e3 * std::max(std::abs(p.x), std::abs(p.y + 2e-3 * mm_per_px));

@@ -15,7 +15,7 @@
 namespace touchline {
 namespace {
 
-constexpr int kPictures = 150;  // of each class
+constexpr int pictures_per_class = 150;  // of each class
 
 cv::Mat made(PictureClass picture_class, int seed) {
     const cv::Size size(360 + 40 * (seed % 5), 300 + 30 * (seed % 7));
@@ -38,14 +38,14 @@ cv::Mat made(PictureClass picture_class, int seed) {
 int wanted(PictureClass picture_class) {
     const bool is_between_pixels = CAIRO_VERSION >= CAIRO_VERSION_ENCODE(1, 17, 4);
     const int percent = picture_class == PictureClass::text_page && is_between_pixels ? 95 : 96;
-    return kPictures * percent / 100;
+    return pictures_per_class * percent / 100;
 }
 
 class EachClass : public ::testing::TestWithParam<PictureClass> {};
 
 TEST_P(EachClass, IsToldFromTheOthersWhateverTheCameraDid) {
     std::array<int, 4> decided{};
-    for (int seed = 0; seed < kPictures; ++seed) {
+    for (int seed = 0; seed < pictures_per_class; ++seed) {
         const cv::Mat picture =
             testing::seen(made(GetParam(), seed), testing::effects_of_kind(seed, seed));
         ++decided[static_cast<std::size_t>(class_of(picture).picture_class)];

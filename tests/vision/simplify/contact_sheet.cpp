@@ -19,8 +19,8 @@ namespace touchline {
 namespace {
 
 constexpr double pixels_per_mm = 3.0;
-constexpr int kText_px = 16;
-constexpr int kRim_px = 6;
+constexpr int text_height_px = 16;
+constexpr int tile_rim_px = 6;
 
 class Sheet {
   public:
@@ -36,12 +36,12 @@ class Sheet {
             return;
         }
         const cv::Mat pixels(picture->height, picture->width, CV_8UC3, picture->bgr.data());
-        cv::Mat3b row(cell_.height + kText_px + kRim_px, 6 * (cell_.width + kRim_px),
+        cv::Mat3b row(cell_.height + text_height_px + tile_rim_px, 6 * (cell_.width + tile_rim_px),
                       cv::Vec3b::all(255));
         put_picture(pixels, row);
         const Result<Found> found = find_lines(pixels, {.area = area_});
         for (int detail = 1; detail <= 5; ++detail) {
-            const cv::Point at(detail * (cell_.width + kRim_px), 0);
+            const cv::Point at(detail * (cell_.width + tile_rim_px), 0);
             const Result<Trace> trace = found.and_then([&](const Found& lines) {
                 return trace_lines(lines, {.area = area_, .detail = detail});
             });
@@ -91,18 +91,20 @@ class Sheet {
         static const std::vector<cv::Scalar> inks{{0, 0, 0},     {200, 60, 0},  {0, 0, 200},
                                                   {0, 130, 0},   {160, 0, 160}, {0, 120, 220},
                                                   {130, 130, 0}, {90, 90, 90}};
-        constexpr int kShift = 4;
+        constexpr int fixed_point_bits = 4;
         std::vector<cv::Point> points;
         for (const Position& p : outline.points) {
             const ViewBoxPoint mm = to_view_box(p, view_box_of(area_));
-            points.emplace_back(static_cast<int>((at.x + mm.u_mm * pixels_per_mm) * (1 << kShift)),
-                                static_cast<int>((at.y + mm.v_mm * pixels_per_mm) * (1 << kShift)));
+            points.emplace_back(
+                static_cast<int>((at.x + mm.u_mm * pixels_per_mm) * (1 << fixed_point_bits)),
+                static_cast<int>((at.y + mm.v_mm * pixels_per_mm) * (1 << fixed_point_bits)));
         }
         const cv::Scalar& ink = inks[number % inks.size()];
-        cv::polylines(row, points, outline.is_closed, ink, 2, cv::LINE_AA, kShift);
+        cv::polylines(row, points, outline.is_closed, ink, 2, cv::LINE_AA, fixed_point_bits);
         if (!outline.is_closed) {
             for (const cv::Point& end : {points.front(), points.back()}) {
-                cv::circle(row, end, 4 << kShift, ink, cv::FILLED, cv::LINE_AA, kShift);
+                cv::circle(row, end, 4 << fixed_point_bits, ink, cv::FILLED, cv::LINE_AA,
+                           fixed_point_bits);
             }
         }
     }

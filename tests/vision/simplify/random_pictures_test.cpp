@@ -12,21 +12,21 @@
 namespace touchline::testing {
 namespace {
 
-constexpr int kPictures = 2000;
+constexpr int pictures_per_seed = 2000;
 #ifdef __SANITIZE_ADDRESS__
-constexpr int kSeeds = 25;
+constexpr int exhaustive_seeds = 25;
 #else
-constexpr int kSeeds = 100;
+constexpr int exhaustive_seeds = 100;
 #endif
 
 class RandomPictures : public ::testing::TestWithParam<int> {};
 
 /// Each part takes a tenth, so that the parts run in parallel.
-constexpr int kParts = 10;
+constexpr int part_count = 10;
 
 int seeds() {
     // NOLINTNEXTLINE(concurrency-mt-unsafe)
-    return std::getenv("TOUCHLINE_EXHAUSTIVE") != nullptr ? kSeeds : 1;
+    return std::getenv("TOUCHLINE_EXHAUSTIVE") != nullptr ? exhaustive_seeds : 1;
 }
 
 struct Numbered {
@@ -45,7 +45,7 @@ void judge(const Numbered& picture, TraceTally& tally) {
 TEST_P(RandomPictures, AreASoundMapOrOneClearLine) {
     TraceTally tally;
     for (int seed = 0; seed < seeds(); ++seed) {
-        for (int n = GetParam(); n < kPictures; n += kParts) {
+        for (int n = GetParam(); n < pictures_per_seed; n += part_count) {
             judge({static_cast<std::uint64_t>(seed), n}, tally);
         }
     }
@@ -56,7 +56,7 @@ TEST_P(RandomPictures, AreASoundMapOrOneClearLine) {
 }
 
 TEST(RandomPictures, ThatOnceWereAtFaultAreNot) {
-    constexpr std::array kOnce{
+    constexpr std::array once_at_fault{
         Numbered{59, 1131},  // a line of 0.2 mm without strength, lighter than a map may hold
         Numbered{64, 1402},  // a foot on a ring that leads back along itself
         Numbered{97, 1323},  // the same
@@ -64,13 +64,13 @@ TEST(RandomPictures, ThatOnceWereAtFaultAreNot) {
         Numbered{24, 1065},  // made longer than the least length by another in its way
     };
     TraceTally tally;
-    for (const Numbered& once : kOnce) {
+    for (const Numbered& once : once_at_fault) {
         judge(once, tally);
     }
-    EXPECT_GE(tally.maps, static_cast<int>(kOnce.size()));
+    EXPECT_GE(tally.maps, static_cast<int>(once_at_fault.size()));
 }
 
-INSTANTIATE_TEST_SUITE_P(Tenth, RandomPictures, ::testing::Range(0, kParts));
+INSTANTIATE_TEST_SUITE_P(Tenth, RandomPictures, ::testing::Range(0, part_count));
 
 }  // namespace
 }  // namespace touchline::testing

@@ -13,7 +13,7 @@
 namespace touchline::testing {
 namespace {
 
-constexpr double kPitch_mm = 0.3;
+constexpr double sample_pitch_mm = 0.3;
 
 struct Place {
     Position at;  // millimetres
@@ -33,7 +33,7 @@ std::vector<Place> places_along(const std::vector<Position>& points, std::size_t
     double along_mm = 0.0;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
         const Position step = points[i + 1] - points[i];
-        const int parts = 1 + static_cast<int>(norm(step) / kPitch_mm);
+        const int parts = 1 + static_cast<int>(norm(step) / sample_pitch_mm);
         for (int k = 0; k < parts; ++k) {
             const double t = static_cast<double>(k) / parts;
             places.push_back({points[i] + t * step, number, along_mm + t * norm(step)});
@@ -76,7 +76,7 @@ double end_to_lines(const TactileMap& map, std::size_t number, bool at_back, dou
 /// Returns where an outline turns by more than 40 degrees within 2 mm.
 std::vector<Place> corners_of(const Outline& outline, std::size_t number) {
     const std::vector<Place> places = places_along(in_mm(outline), number);
-    const auto reach = static_cast<std::size_t>(std::lround(1.0 / kPitch_mm));
+    const auto reach = static_cast<std::size_t>(std::lround(1.0 / sample_pitch_mm));
     const std::size_t n = places.size() - (outline.is_closed ? 1 : 0);
     std::vector<Place> corners;
     for (std::size_t k = 0; k < n && n > 2 * reach; ++k) {

@@ -34,24 +34,25 @@ struct TruthPicture {
 /// The number of pictures: glyphs, pictograms, scenes and strokes in turn.
 constexpr int truth_pictures = 320;
 
-constexpr int kFiner = 4;  // samples per pixel, each way
+constexpr int samples_per_px = 4;  // samples per pixel, each way
 
 using Ring = std::vector<cv::Point2d>;
 
 /// Fills rings by the even-odd rule, area-averaged, over a picture.
 void fill(cv::Mat3b& picture, const std::vector<Ring>& rings, cv::Scalar ink) {
-    cv::Mat1b fine(kFiner * picture.rows, kFiner * picture.cols, uchar{0});
+    cv::Mat1b fine(samples_per_px * picture.rows, samples_per_px * picture.cols, uchar{0});
     std::vector<std::vector<cv::Point>> corners;
-    constexpr int kShift = 8;
+    constexpr int fixed_point_bits = 8;
     for (const Ring& ring : rings) {
         corners.emplace_back();
         for (const cv::Point2d& p : ring) {
-            const cv::Point2d at = (p * kFiner - cv::Point2d(0.5, 0.5)) * (1 << kShift);
+            const cv::Point2d at =
+                (p * samples_per_px - cv::Point2d(0.5, 0.5)) * (1 << fixed_point_bits);
             corners.back().emplace_back(static_cast<int>(std::lround(at.x)),
                                         static_cast<int>(std::lround(at.y)));
         }
     }
-    cv::fillPoly(fine, corners, cv::Scalar(255), cv::LINE_8, kShift);
+    cv::fillPoly(fine, corners, cv::Scalar(255), cv::LINE_8, fixed_point_bits);
     cv::Mat1b covered;
     cv::resize(fine, covered, picture.size(), 0.0, 0.0, cv::INTER_AREA);
     for (int y = 0; y < picture.rows; ++y) {

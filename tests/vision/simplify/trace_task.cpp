@@ -25,9 +25,9 @@ void judge_line(const std::string& line, Faults& faults) {
     if (line.empty() || std::ranges::any_of(line, is_control)) {
         faults.push_back("not one line: " + line);
     }
-    constexpr std::array<std::string_view, 8> kInside{
+    constexpr std::array<std::string_view, 8> program_words{
         "OpenCV", "error", ".cpp", "std::", "(-", "()", "Assertion", "program"};
-    for (const std::string_view word : kInside) {
+    for (const std::string_view word : program_words) {
         if (line.find(word) != std::string::npos)
             faults.push_back("nothing for a visitor: " + line);
     }
@@ -38,9 +38,9 @@ void judge_line(const std::string& line, Faults& faults) {
 }
 
 bool is_in_area(const Position& p, const Area& area) {
-    constexpr double kRounding_m = 1e-9;
-    return std::abs(p.x) <= 0.5 * area.width_m + kRounding_m &&
-           std::abs(p.y) <= 0.5 * area.height_m + kRounding_m;
+    constexpr double rounding_m = 1e-9;
+    return std::abs(p.x) <= 0.5 * area.width_m + rounding_m &&
+           std::abs(p.y) <= 0.5 * area.height_m + rounding_m;
 }
 
 void judge_points(const TactileMap& map, Faults& faults) {

@@ -17,7 +17,7 @@
 namespace touchline::bench {
 namespace {
 
-constexpr double kShown_mm = 116.0;  // the longer side, on the drawing area
+constexpr double shown_side_mm = 116.0;  // the longer side, on the drawing area
 
 uchar strength_of(double multiple) {
     return cv::saturate_cast<uchar>(255.0 * multiple / (1.0 + multiple) + 0.5);
@@ -127,7 +127,7 @@ Detector reduced_by(double factor) {
     const auto find = [=](const cv::Mat& picture) -> cv::Mat1b {
         cv::Mat small;
         cv::resize(picture, small, {}, factor, factor, cv::INTER_AREA);
-        const cv::Mat strength = photo_lines(small, kShown_mm).edge_strength;
+        const cv::Mat strength = photo_lines(small, shown_side_mm).edge_strength;
         cv::Mat1b large;
         cv::resize(strength, large, picture.size(), 0.0, 0.0, cv::INTER_NEAREST);
         return large;
@@ -138,7 +138,7 @@ Detector reduced_by(double factor) {
 /// All of photo_lines.
 Detector whole() {
     const auto find = [](const cv::Mat& picture) -> cv::Mat1b {
-        return photo_lines(picture, kShown_mm).edge_strength;
+        return photo_lines(picture, shown_side_mm).edge_strength;
     };
     return {"Touchline lines", "as built", find, find};
 }

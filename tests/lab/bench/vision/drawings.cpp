@@ -107,13 +107,13 @@ using Way = std::function<Result<testing::Felt>(const testing::Drawing&)>;
 
 Way way_of_at_most(double most_pixels) {
     return [most_pixels](const testing::Drawing& drawing) {
-        return testing::felt_of(drawing, most_detail, testing::kTolerance_mm, most_pixels);
+        return testing::felt_of(drawing, most_detail, testing::felt_tolerance_mm, most_pixels);
     };
 }
 
 /// Returns the map that another touchline program makes of the file, with its own workers.
 Result<TactileMap> map_by(const std::string& program, const testing::Drawing& drawing) {
-    constexpr double kPatience_s = 60.0;
+    constexpr double patience_s = 60.0;
     const std::filesystem::path folder =
         std::filesystem::temp_directory_path() / fmt::format("touchline-drawing-{}", getpid());
     std::filesystem::create_directories(folder);
@@ -125,7 +125,7 @@ Result<TactileMap> map_by(const std::string& program, const testing::Drawing& dr
         StandardStreams::nothing,
         {"TOUCHLINE_PROGRAMS=" + std::filesystem::path(program).parent_path().string()});
     if (!child) return tl::unexpected(child.error());
-    if (!child->ends_within(kPatience_s)) child->kill();
+    if (!child->ends_within(patience_s)) child->kill();
     auto read = child->reap().is_good() ? read_map_svg(map) : failure("it made no map");
     std::filesystem::remove_all(folder);
     return read;
@@ -139,7 +139,7 @@ Way way_of_program(const std::string& program) {
             std::chrono::steady_clock::now() - begin;
         if (!map) return tl::unexpected(map.error());
         testing::Felt felt =
-            testing::felt_by(std::move(*map), drawing, most_detail, testing::kTolerance_mm);
+            testing::felt_by(std::move(*map), drawing, most_detail, testing::felt_tolerance_mm);
         felt.milliseconds = took.count();
         return felt;
     };

@@ -23,7 +23,7 @@
 namespace touchline::bench {
 namespace {
 
-constexpr float kNear_px = 2.0F;
+constexpr float near_px = 2.0F;
 
 struct Score {
     double overlap = 0.0;         // intersection over union
@@ -59,7 +59,7 @@ double precision_of(const cv::Mat& found, const std::vector<cv::Mat1b>& annotato
             const cv::Point at(cvRound(p.at.x), cvRound(p.at.y));
             if (!inner.contains(at)) continue;
             ++all;
-            near += distance(at) <= kNear_px ? 1 : 0;
+            near += distance(at) <= near_px ? 1 : 0;
         }
     }
     return static_cast<double>(near) / std::max(1, all);

@@ -37,7 +37,7 @@ struct StageTime {
     double median_ms = 0.0;
 };
 
-constexpr std::int64_t kWorking_pixels = 1'000'000;
+constexpr std::int64_t working_pixels = 1'000'000;
 
 cv::Mat3b generated() {
     cv::RNG random(3);
@@ -96,7 +96,7 @@ class Stages {
 };
 
 cv::Mat decoded(const CameraFrame& still) {
-    return to_bgr(still, quick_size(still.size, kWorking_pixels)).value();
+    return to_bgr(still, quick_size(still.size, working_pixels)).value();
 }
 
 /// Makes a still of 12 megapixels, shapes before a rough background, as a JPEG of quality 90 as a
@@ -157,7 +157,7 @@ void score(const std::string& set, const std::vector<MarkedPicture>& pictures, s
         for (const MarkedPicture& marked : pictures) {
             cv::Mat1b kept;
             times.push_back(ms_of([&] { kept = detector.automatic(marked.picture); }));
-            automatic += boundary_counts(kept, BoundarySweep::kAutomatic, marked.annotators);
+            automatic += boundary_counts(kept, BoundarySweep::automatic_level, marked.annotators);
             sweep.add(detector.ranked(marked.picture), marked.annotators);
         }
         fmt::print(csv, "{},{},{},{:.3f},{:.3f},{:.3f},{:.3f},{:.1f}\n", set, detector.name,
@@ -176,13 +176,13 @@ void score_repeats(const std::string& set, const std::vector<MarkedPicture>& pic
             return cv::Mat1b(photo_lines(picture, 116.0).edge_strength);
         };
         const std::vector<cv::Mat1b> before{testing::thinned(
-            cv::Mat1b(cv::Mat(lines(marked.picture) >= BoundarySweep::kAutomatic)))};
+            cv::Mat1b(cv::Mat(lines(marked.picture) >= BoundarySweep::automatic_level)))};
         const std::vector<testing::Degraded> versions = testing::degraded(marked.picture);
         counts.resize(versions.size());
         for (std::size_t i = 0; i < versions.size(); ++i) {
             counts[i].first = versions[i].name;
             counts[i].second +=
-                boundary_counts(lines(versions[i].picture), BoundarySweep::kAutomatic, before);
+                boundary_counts(lines(versions[i].picture), BoundarySweep::automatic_level, before);
         }
     }
     for (const auto& [name, count] : counts) {
@@ -193,7 +193,7 @@ void score_repeats(const std::string& set, const std::vector<MarkedPicture>& pic
 /// Traces letters, as a camera of 3 megapixels gives them, at several working sizes.
 void score_sizes(std::ofstream& csv) {
     const cv::Size full(2000, 1500);
-    constexpr double kShown_mm = 112.0;
+    constexpr double shown_width_mm = 112.0;
     for (const double megapixels : {0.03, 0.06, 0.12, 0.25, 0.5, 1.0}) {
         testing::LineAccuracy mean;
         std::vector<double> times;
@@ -209,7 +209,7 @@ void score_sizes(std::ofstream& csv) {
             PhotoLines found;
             times.push_back(ms_of([&] {
                 small = reduced(photo, 1e6 * megapixels);
-                found = photo_lines(small, kShown_mm);
+                found = photo_lines(small, shown_width_mm);
             }));
             const double scale = static_cast<double>(full.width) / small.cols;
             for (Chain& chain : found.chains) {
@@ -221,7 +221,7 @@ void score_sizes(std::ofstream& csv) {
             mean.rms_px += accuracy.rms_px / n;
             mean.greatest_px += accuracy.greatest_px / n;
         }
-        const double mm = kShown_mm / full.width;
+        const double mm = shown_width_mm / full.width;
         fmt::print(csv, "{},{:.3f},{:.3f},{:.1f}\n", megapixels, mean.rms_px * mm,
                    mean.greatest_px * mm, median(times));
     }

@@ -10,15 +10,15 @@
 namespace touchline::bench {
 namespace {
 
-constexpr double kLeastLine_mm = 3.0;  // shorter ones are not required
+constexpr double least_required_mm = 3.0;  // shorter ones are not required
 // The answer of a Sobel filter where a step of 25 of 255 has become three pixels wide.
 constexpr double seen_step = 60.0;
-constexpr int kNearCorner_px = 31;
+constexpr int near_corner_px = 31;
 constexpr float corner_beyond_middle = 2.0F;  // in half widths, at 60 degrees
 constexpr double along = 0.7;  // least cosine between the gradients of the two sides of a stroke
 
-const cv::Size kSheet(static_cast<int>(testing::kSheet_mm.width* kPixels_per_mm),
-                      static_cast<int>(testing::kSheet_mm.height* kPixels_per_mm));
+const cv::Size sheet_px(static_cast<int>(testing::drawing_sheet_mm.width* truth_px_per_mm),
+                        static_cast<int>(testing::drawing_sheet_mm.height* truth_px_per_mm));
 
 /// The picture on the sheet, and where it lies there.
 struct Fitted {
@@ -27,18 +27,18 @@ struct Fitted {
 };
 
 Fitted on_sheet(const cv::Mat& picture) {
-    const double scale = std::min(kSheet.width / static_cast<double>(picture.cols),
-                                  kSheet.height / static_cast<double>(picture.rows));
+    const double scale = std::min(sheet_px.width / static_cast<double>(picture.cols),
+                                  sheet_px.height / static_cast<double>(picture.rows));
     cv::Mat fitted;
     cv::resize(picture, fitted,
                cv::Size(std::max(1, static_cast<int>(std::lround(scale * picture.cols))),
                         std::max(1, static_cast<int>(std::lround(scale * picture.rows)))),
                0, 0, scale < 1.0 ? cv::INTER_AREA : cv::INTER_LINEAR);
-    const int left = (kSheet.width - fitted.cols) / 2;
-    const int top = (kSheet.height - fitted.rows) / 2;
+    const int left = (sheet_px.width - fitted.cols) / 2;
+    const int top = (sheet_px.height - fitted.rows) / 2;
     cv::Mat sheet;
-    cv::copyMakeBorder(fitted, sheet, top, kSheet.height - fitted.rows - top, left,
-                       kSheet.width - fitted.cols - left, cv::BORDER_REPLICATE);
+    cv::copyMakeBorder(fitted, sheet, top, sheet_px.height - fitted.rows - top, left,
+                       sheet_px.width - fitted.cols - left, cv::BORDER_REPLICATE);
     return {sheet, {{left, top}, fitted.size()}};
 }
 
@@ -78,8 +78,8 @@ cv::Mat edges_of(const Gradient& gradient, const cv::Rect& picture) {
     for (int i = 1; i < count; ++i) {
         const double long_mm =
             std::hypot(sizes.at<int>(i, cv::CC_STAT_WIDTH), sizes.at<int>(i, cv::CC_STAT_HEIGHT)) /
-            kPixels_per_mm;
-        if (long_mm < kLeastLine_mm) edges.setTo(0, parts == i);
+            truth_px_per_mm;
+        if (long_mm < least_required_mm) edges.setTo(0, parts == i);
     }
     return edges;
 }
@@ -88,7 +88,7 @@ cv::Mat edges_of(const Gradient& gradient, const cv::Rect& picture) {
 std::optional<cv::Point> other_side(const cv::Mat& edges, const Gradient& gradient,
                                     const cv::Point& from, const cv::Point2d& direction) {
     const cv::Point2d own = gradient.at(from) * (1.0 / cv::norm(gradient.at(from)));
-    const int furthest = static_cast<int>(testing::kWidestLine_mm * kPixels_per_mm);
+    const int furthest = static_cast<int>(testing::widest_line_mm * truth_px_per_mm);
     for (int step = 4; step <= furthest; ++step) {
         const cv::Point middle = cv::Point2d(from) + direction * static_cast<double>(step);
         for (const cv::Point& beside : {cv::Point(0, 0), {1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
@@ -108,10 +108,10 @@ cv::Mat distance_to(const cv::Mat& mask) {
 }
 
 cv::Mat mask_of(const std::vector<cv::Point2d>& points_mm) {
-    cv::Mat mask(kSheet, CV_8U, cv::Scalar(0));
+    cv::Mat mask(sheet_px, CV_8U, cv::Scalar(0));
     for (const cv::Point2d& mm : points_mm) {
-        const cv::Point at = mm * kPixels_per_mm;
-        if (cv::Rect({}, kSheet).contains(at)) mask.at<uchar>(at) = 255;
+        const cv::Point at = mm * truth_px_per_mm;
+        if (cv::Rect({}, sheet_px).contains(at)) mask.at<uchar>(at) = 255;
     }
     return mask;
 }
@@ -133,8 +133,8 @@ void count_missed(const cv::Mat& missed, const cv::Mat& to_felt, double gap_mm,
         const cv::Mat part = parts == i;
         double far_px = 0.0;
         cv::minMaxLoc(to_felt, nullptr, &far_px, nullptr, nullptr, part);
-        const double length_mm = sizes.at<int>(i, cv::CC_STAT_AREA) / kPixels_per_mm;
-        const bool is_beside = far_px <= gap_mm * kPixels_per_mm && length_mm > gap_mm;
+        const double length_mm = sizes.at<int>(i, cv::CC_STAT_AREA) / truth_px_per_mm;
+        const bool is_beside = far_px <= gap_mm * truth_px_per_mm && length_mm > gap_mm;
         (is_beside ? seen.too_near_mm : seen.wrong_mm) += length_mm;
     }
 }
@@ -149,7 +149,7 @@ PictureTruth truth_of(const cv::Mat& picture) {
     truth.lines = truth.edges.clone();
     std::vector<cv::Point> points;
     cv::findNonZero(truth.edges, points);
-    cv::Mat half_widths(kSheet, CV_32F, cv::Scalar(0));
+    cv::Mat half_widths(sheet_px, CV_32F, cv::Scalar(0));
     for (const cv::Point& at : points) {
         std::vector<cv::Point>& choices = truth.each.emplace_back().choices;
         choices.push_back(at);
@@ -162,7 +162,7 @@ PictureTruth truth_of(const cv::Mat& picture) {
             half_widths.at<float>(at) = static_cast<float>(0.5 * cv::norm(at - *other));
         }
     }
-    cv::dilate(half_widths, half_widths, cv::Mat::ones(kNearCorner_px, kNearCorner_px, CV_8U));
+    cv::dilate(half_widths, half_widths, cv::Mat::ones(near_corner_px, near_corner_px, CV_8U));
     for (PictureTruth::Edge& edge : truth.each) {
         if (edge.choices.size() == 1)
             edge.beside_px = corner_beyond_middle * half_widths.at<float>(edge.choices.front());
@@ -177,35 +177,35 @@ Shares shares_of(const PictureTruth& truth, const TactileMap& map, double gap_mm
         const std::vector<cv::Point2d> steps = testing::in_steps(outline);
         felt.insert(felt.end(), steps.begin(), steps.end());
     }
-    const double tolerance_px = tolerance_mm * kPixels_per_mm;
+    const double tolerance_px = tolerance_mm * truth_px_per_mm;
     const cv::Mat to_felt = distance_to(mask_of(felt));
     Shares out;
-    cv::Mat missed(kSheet, CV_8U, cv::Scalar(0));
+    cv::Mat missed(sheet_px, CV_8U, cv::Scalar(0));
     for (const PictureTruth::Edge& edge : truth.each) {
         const float near_px = static_cast<float>(tolerance_px) + edge.beside_px;
         if (std::ranges::any_of(edge.choices, [&](const cv::Point& at) {
                 return to_felt.at<float>(at) <= near_px;
             }))
-            out.seen.right_mm += 1.0 / kPixels_per_mm;
+            out.seen.right_mm += 1.0 / truth_px_per_mm;
         else
             missed.at<uchar>(edge.choices.front()) = 255;
     }
     count_missed(missed, to_felt, gap_mm, out.seen);
     const cv::Mat to_line = distance_to(truth.lines);
     for (const cv::Point2d& mm : felt) {
-        const cv::Point at = mm * kPixels_per_mm;
-        const bool is_seen = cv::Rect({}, kSheet).contains(at) &&
+        const cv::Point at = mm * truth_px_per_mm;
+        const bool is_seen = cv::Rect({}, sheet_px).contains(at) &&
                              to_line.at<float>(at) <= static_cast<float>(tolerance_px);
-        (is_seen ? out.felt.right_mm : out.felt.wrong_mm) += testing::kStep_mm;
+        (is_seen ? out.felt.right_mm : out.felt.wrong_mm) += testing::felt_step_mm;
     }
     return out;
 }
 
 bool are_alike(const PictureTruth& a, const PictureTruth& b, double tolerance_mm) {
-    constexpr double kAlike = 0.99;
-    const double tolerance_px = tolerance_mm * kPixels_per_mm;
-    return share_within(a.edges, distance_to(b.edges), tolerance_px) >= kAlike &&
-           share_within(b.edges, distance_to(a.edges), tolerance_px) >= kAlike;
+    constexpr double alike_share = 0.99;
+    const double tolerance_px = tolerance_mm * truth_px_per_mm;
+    return share_within(a.edges, distance_to(b.edges), tolerance_px) >= alike_share &&
+           share_within(b.edges, distance_to(a.edges), tolerance_px) >= alike_share;
 }
 
 }  // namespace touchline::bench

@@ -10,10 +10,10 @@
 
 namespace touchline::bench {
 
-/// Places where a hand may expect a line, at kPixels_per_mm, as masks: 8 bit, 255 there.
+/// Places where a hand may expect a line, at truth_px_per_mm, as masks: 8 bit, 255 there.
 struct PictureTruth {
     cv::Mat edges;  // where colours meet
-    cv::Mat lines;  // these, and the middles of strokes up to testing::kWidestLine_mm
+    cv::Mat lines;  // these, and the middles of strokes up to testing::widest_line_mm
 
     /// Where an edge pixel may be felt: there, or in the middle of the stroke on either side. At a
     /// stroke's corners and ends no side is opposite, and the middle is somewhere within
@@ -26,7 +26,7 @@ struct PictureTruth {
     std::vector<Edge> each;
 };
 
-inline constexpr double kPixels_per_mm = 10.0;
+inline constexpr double truth_px_per_mm = 10.0;
 
 /// Returns the truth of an 8-bit picture of 3 channels, fitted on the sheet. Its own border is not
 /// an edge. O(pixels).
