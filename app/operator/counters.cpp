@@ -2,10 +2,10 @@
 
 #include "app/documents/decode/files.h"
 #include "app/operator/settings_files.h"
+#include "config/types/utf8.h"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <optional>
 
 namespace touchline {
@@ -49,14 +49,6 @@ std::string_view take_until(char end, std::string_view& text) {
     const std::string_view part = text.substr(0, length);
     text.remove_prefix(std::min(length + 1, text.size()));
     return part;
-}
-
-template <class Number>
-std::optional<Number> number_in(std::string_view text) {
-    Number number{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-    return number;
 }
 
 std::optional<std::chrono::sys_days> day_in(std::string_view text) {

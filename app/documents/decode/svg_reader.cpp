@@ -2,8 +2,8 @@
 // has no scripts, animation or network, and it bounds its own nesting.
 #include "app/documents/decode/drawing_surface.h"
 #include "app/documents/decode/formats.h"
-#include "app/documents/decode/machine_words.h"
 #include "app/documents/decode/map_svg.h"
+#include "app/documents/decode/one_line.h"
 #include "app/documents/decode/page.h"
 #include "app/documents/decode/svg_nodes.h"
 #include "app/documents/decode/svg_survey.h"
@@ -167,10 +167,7 @@ Result<std::string> narrowed(std::string_view text) {
 /// converts UTF-16 to UTF-8 and drops its declaration. Fails with one line if the file is damaged,
 /// is more than 64 MB unpacked, or is no SVG. O(text).
 Result<std::string> svg_text(Bytes bytes) {
-    Result<std::string> text =
-        is_packed(bytes) ? unpacked(bytes)
-                         : Result<std::string>(std::string(
-                               reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+    Result<std::string> text = is_packed(bytes) ? unpacked(bytes) : std::string(as_text(bytes));
     if (!text) return text;
     const Bytes unpacked_bytes = std::as_bytes(std::span(*text));
     if (is_packed(unpacked_bytes) || format_of(unpacked_bytes) != FileFormat::svg)

@@ -10,9 +10,11 @@
 namespace touchline {
 namespace {
 
-/// Nothing if it ended normally.
+/// Nothing if it ended normally. SIGKILL that is not ours is the kernel's, which has no memory
+/// left.
 std::optional<WorkerEnd> trouble_of(const ChildEnd& end) {
-    if (end.signal == SIGXCPU || end.signal == SIGKILL) return WorkerEnd::out_of_time;
+    if (end.signal == SIGXCPU) return WorkerEnd::out_of_time;
+    if (end.signal == SIGKILL) return WorkerEnd::out_of_memory;
     if (end.signal != 0) return WorkerEnd::crashed;
     if (end.status == worker_refused_to_start) return WorkerEnd::not_started;
     if (end.status == worker_out_of_memory) return WorkerEnd::out_of_memory;

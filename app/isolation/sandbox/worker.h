@@ -21,11 +21,11 @@ struct WorkerOrder {
 
 /// Why there is no answer.
 enum class WorkerEnd : std::uint8_t {
-    not_started,  // the program is missing, or its sandbox failed
-    crashed,      // or tried something forbidden
-    out_of_time,  // processor time or wall clock
-    out_of_memory,
-    no_answer,  // it ended normally and wrote nothing
+    not_started,    // the program is missing, or its sandbox failed
+    crashed,        // or tried something forbidden
+    out_of_time,    // processor time or wall clock
+    out_of_memory,  // its own limit, or the machine's memory
+    no_answer,      // it ended normally and wrote nothing
 };
 
 /// The message for each end.

@@ -2,7 +2,7 @@
 // --files FOLDER writes one file of each kind there. Numbers count the features of SVG, then the
 // kinds of charts; pdf:SEED is a page of PDF, and pdfNUMBER:SEED a drawing written as one.
 #include "app/documents/decode/files.h"
-#include "app/documents/decode/png_writer.h"
+#include "app/documents/decode/picture.h"
 #include "tests/app/drawings/charts.h"
 #include "tests/app/drawings/felt.h"
 #include "tests/app/drawings/pdf_drawings.h"

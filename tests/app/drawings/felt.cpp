@@ -1,7 +1,6 @@
 #include "tests/app/drawings/felt.h"
 
 #include "app/documents/decode/opening.h"
-#include "app/documents/decode/words_in_picture.h"
 #include "app/documents/trace/page_views.h"
 #include "app/documents/trace/tracing.h"
 #include "vision/simplify/detail_limits.h"

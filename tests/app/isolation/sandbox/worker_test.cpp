@@ -82,7 +82,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Ending{"echo much >&4; exit 68", WorkerEnd::crashed},
                     Ending{"echo much >&4; kill -SEGV $$", WorkerEnd::crashed},
                     Ending{"echo much >&4; kill -SYS $$", WorkerEnd::crashed},
-                    Ending{"echo much >&4; kill -KILL $$", WorkerEnd::out_of_time},
+                    Ending{"echo much >&4; kill -KILL $$", WorkerEnd::out_of_memory},
                     Ending{"echo much >&4; kill -XCPU $$", WorkerEnd::out_of_time}));
 
 TEST(Worker, AProgramThatIsMissingIsNotStarted) {
