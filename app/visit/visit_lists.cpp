@@ -2,7 +2,6 @@
 // pictures are sorted; and the way from a picture to its neighbours.
 #include "app/documents/sticks/first_letters.h"
 #include "app/documents/sticks/spoken_name.h"
-#include "app/documents/sticks/spoken_name.h"
 #include "app/visit/list_parts.h"
 #include "app/visit/visit_menu.h"
 
