@@ -49,11 +49,10 @@ struct Brought {
 
 NetworkHealth network_health() {
     NetworkHealth health;
-    health.known = networks().size();
     for (const Network& network : networks()) {
-        const bool is_there = is_installed(network);
-        if (is_there) ++health.installed;
-        health.lacks_shipped = health.lacks_shipped || (network.ships && !is_there);
+        if (is_installed(network)) continue;
+        ++health.missing;
+        health.lacks_shipped = health.lacks_shipped || network.ships;
     }
     return health;
 }

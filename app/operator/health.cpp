@@ -84,13 +84,14 @@ struct Lines {
     }
 
     void add_networks() {
-        const auto& [installed, known, lacks_shipped] = health.networks;
+        const auto& [missing, lacks_shipped] = health.networks;
         if (lacks_shipped)
             add_trouble("A network for photographs is missing. Install Touchline again.");
+        else if (missing > 0)
+            add(Urgency::remark, "Networks for photographs",
+                language.counted("operator", "{0} is missing", "{0} are missing", missing));
         else
-            add(installed < known ? Urgency::remark : Urgency::none, "Networks for photographs",
-                language.text("screen", "{0} of {1}",
-                              {std::to_string(installed), std::to_string(known)}));
+            add(Urgency::none, "Networks for photographs", words("all installed"));
     }
 
     void add_rest() {

@@ -4,7 +4,6 @@
 
 #include "audio-cues/words/language.h"
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -14,11 +13,10 @@ namespace touchline {
 
 enum class CameraHealth : std::uint8_t { none, ready, unplugged, stopped };  // none: not wanted
 
-/// Installed networks, of all that are known.
+/// Of the networks that look at photographs.
 struct NetworkHealth {
-    std::size_t installed = 0;
-    std::size_t known = 0;
-    bool lacks_shipped = false;  // one that comes with Touchline is missing
+    int missing = 0;             // not installed
+    bool lacks_shipped = false;  // one of these comes with Touchline
 };
 
 struct KioskHealth {

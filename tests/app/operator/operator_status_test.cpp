@@ -28,7 +28,6 @@ KioskHealth sound_health() {
     health.has_motors = true;
     health.homed_ago_s = 7300.0;
     health.camera = CameraHealth::ready;
-    health.networks = {5, 5, false};
     health.version = "1.0.0";
     return health;
 }
@@ -56,6 +55,14 @@ TEST(Health, WhatDoesNotWorkComesFirstAndThenWhatIsWorthARemark) {
                                  "USB stick", "Networks for photographs", "Started", "Version"}));
 }
 
+TEST(Health, ANetworkThatDoesNotShipIsOnlyRemarkedOn) {
+    KioskHealth health = sound_health();
+    health.networks = {1, false};
+    const HealthLine line = health_lines(health, Language()).front();
+    EXPECT_EQ(line.name + ", " + line.value, "Networks for photographs, 1 is missing");
+    EXPECT_EQ(line.urgency, Urgency::remark);
+}
+
 TEST(Health, TimesAreSaidInTheirLargestUnit) {
     const auto started = [](double ago_s) {
         KioskHealth health = sound_health();
@@ -80,7 +87,7 @@ TEST(Health, TroublesAreSaidInEveryLanguage) {
     KioskHealth health = sound_health();
     health.has_sound = health.notices_sticks = health.can_keep = false;
     health.camera = CameraHealth::stopped;
-    health.networks.lacks_shipped = true;
+    health.networks = {1, true};
     const auto english = health_lines(health, Language());
     ASSERT_EQ(std::ranges::count(english, Urgency::trouble, &HealthLine::urgency), 5);
     for (const std::string& code : languages_in(TOUCHLINE_CATALOGUES).value()) {
