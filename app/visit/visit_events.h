@@ -160,10 +160,14 @@ struct SettingsChanged {
 /// A member of staff came.
 struct StaffCalledOff {};
 
-using VisitEvent = std::variant<Tick, KeyPressed, SpeechKeyPressed, DeadKeyPressed, KnobTurned,
-                                HandleSeen, HeadphonesChanged, StickArriving, StickCame, StickGone,
-                                PictureReady, ThingsLookedFor, PictureFailed, CameraChanged,
-                                CameraCaptured, CameraFailed, GuidanceEnded, TroubleBegan,
-                                TroubleEnded, OpeningChanged, SettingsChanged, StaffCalledOff>;
+/// The operator's key was pressed: the kiosk ends once somebody confirms it.
+struct QuitAsked {};
+
+using VisitEvent =
+    std::variant<Tick, KeyPressed, SpeechKeyPressed, DeadKeyPressed, KnobTurned, HandleSeen,
+                 HeadphonesChanged, StickArriving, StickCame, StickGone, PictureReady,
+                 ThingsLookedFor, PictureFailed, CameraChanged, CameraCaptured, CameraFailed,
+                 GuidanceEnded, TroubleBegan, TroubleEnded, OpeningChanged, SettingsChanged,
+                 StaffCalledOff, QuitAsked>;
 
 }  // namespace touchline
