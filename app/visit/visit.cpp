@@ -193,6 +193,14 @@ void take(VisitWork& work, const StaffCalledOff& /*called_off*/) {
     say(work, words(work, "The staff know of your call."), SpeechPriority::hint);
 }
 
+void take(VisitWork& work, const QuitAsked& /*asked*/) {
+    stop_leading(work);
+    work.visitor.over = Standing{VisitScreen::confirm, 0, static_cast<int>(VisitItem::quit)};
+    work.visitor.entered_s = work.visitor.active_s = work.site.now_s;
+    cue(work, ScreenEvent::key_taken);
+    say_screen(work);
+}
+
 bool is_waited_for(const Visitor& visitor) {
     const VisitScreen screen = visitor.path.back().screen;
     const bool is_listing =
@@ -217,7 +225,7 @@ bool is_one_of(const VisitEvent& event) {
 /// What a visitor does and hears an answer to. A hand that moves hears the names of parts alone.
 bool is_act(const VisitEvent& event) {
     return is_one_of<KeyPressed, SpeechKeyPressed, DeadKeyPressed, HeadphonesChanged, StickArriving,
-                     StickCame, StickGone>(event);
+                     StickCame, StickGone, QuitAsked>(event);
 }
 
 /// The orders that follow from the state alone; they come before what the step said and did.

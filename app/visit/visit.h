@@ -39,7 +39,7 @@ enum class VisitScreen : std::uint8_t {
     pages,
     settings,
     values,   // of one setting; Standing::about is its item
-    confirm,  // Standing::about is the item that asked
+    confirm,  // Standing::about is the item that asked; over any screen: the operator's key
     goodbye,
     closed,
     // over any of these
@@ -102,6 +102,7 @@ enum class VisitItem : int {
     screen,
     start_over,
     reset,
+    quit,
     no,
     yes,
     go_on,
@@ -247,7 +248,7 @@ struct SaidLately {
 /// The state of one visitor; every visit begins with a new one.
 struct Visitor {
     std::vector<Standing> path{Standing{}};  // never empty; the last one is open
-    std::optional<Standing> over;            // help, question or trouble, on top of the path
+    std::optional<Standing> over;            // help, a question or trouble, on top of the path
     std::string error;                       // what `trouble` says
     std::optional<TroubleKind> trouble;      // what it is about; none: a picture or a file
     SoundWanted sound;

@@ -170,11 +170,14 @@ struct SettingsChanged {
 /// A member of staff came.
 struct StaffCalledOff {};
 
+/// The operator's key was pressed: the kiosk ends once somebody confirms it.
+struct QuitAsked {};
+
 using VisitEvent =
     std::variant<Tick, KeyPressed, KeyHeld, SpeechKeyPressed, DeadKeyPressed, KnobTurned,
                  HandleSeen, HeadphonesChanged, StickArriving, StickCame, PicturesGiven, StickGone,
                  PictureReady, ThingsLookedFor, PictureFailed, CameraChanged, CameraCaptured,
                  CameraFailed, GuidanceEnded, TroubleBegan, TroubleEnded, OpeningChanged,
-                 SettingsChanged, StaffCalledOff>;
+                 SettingsChanged, StaffCalledOff, QuitAsked>;
 
 }  // namespace touchline

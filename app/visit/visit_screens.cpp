@@ -148,10 +148,12 @@ constexpr auto questions = std::to_array<VisitQuestion>(
           begin_visit(work);
       }},
      {VisitItem::reset, "Reset the settings?",
-      "Sound, speech, letters and lines will be as at the start.", reset_settings}});
+      "Sound, speech, letters and lines will be as at the start.", reset_settings},
+     {VisitItem::quit, "Shut the kiosk down?", "Nobody can use it until somebody starts it again.",
+      [](VisitWork& work) { order(work, Quit{}); }}});
 
 const VisitQuestion& asked_question(const Visitor& visitor) {
-    const auto asked = static_cast<VisitItem>(visitor.path.back().about);
+    const auto asked = static_cast<VisitItem>(open_standing(visitor).about);
     const auto* const found = std::ranges::find(questions, asked, &VisitQuestion::asked);
     return found != questions.end() ? *found : questions.back();
 }
@@ -160,6 +162,10 @@ void write_confirm(VisitSheet& sheet) {
     const VisitQuestion& question = asked_question(sheet.visitor());
     sheet.title(question.title);
     sheet.sentence(question.text);
+}
+
+void refuse_question(VisitWork& work) {
+    work.visitor.over ? uncover(work) : step_back(work);
 }
 
 void ask_to_finish(VisitWork& work) {
@@ -264,7 +270,7 @@ constexpr auto main_screens = std::to_array<VisitScreenRow>({
      .back_item = "Back",
      .view = ScreenView::camera},
     {.screen = S::opening, .write = write_opening, .back = cancel_loading},
-    {.screen = S::confirm, .write = write_confirm},
+    {.screen = S::confirm, .write = write_confirm, .back = refuse_question},
     {.screen = S::goodbye, .title = "Goodbye", .write = write_goodbye, .any_key = begin_visit},
     {.screen = S::closed,
      .write = write_closed,
@@ -296,7 +302,7 @@ constexpr auto main_items = std::to_array<VisitItemRow>({
     {S::camera, I::take_picture, "Take the photo", capture, nullptr,
      [](const VisitSheet& sheet) { return sheet.visit.site.has_camera; }},
     {S::opening, I::cancel, "Cancel", cancel_loading},
-    {S::confirm, I::no, "No", step_back},
+    {S::confirm, I::no, "No", refuse_question},
     {S::confirm, I::yes, "Yes", [](VisitWork& work) { asked_question(work.visitor).yes(work); }},
     {S::trouble, I::go_on, "Go on", go_on, "Press Select to go on.",
      [](const VisitSheet& sheet) { return !is_of_handle(sheet); }},

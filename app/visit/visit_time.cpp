@@ -19,6 +19,7 @@ constexpr double progress_said_every_s = 10.5;
 constexpr double private_s = 10.0;  // headphones are out; then the kiosk asks
 constexpr double goodbye_s = 10.0;
 constexpr double practice_s = 60.0;
+constexpr double quit_asked_s = 30.0;     // then no visitor can answer it
 constexpr double longest_lead_s = 300.0;  // longer leading no longer counts as presence
 constexpr double dwell_s = 0.4;
 constexpr double quick_m_per_s = 0.08;  // no part is named while the hand is faster
@@ -191,14 +192,24 @@ void name_part(VisitWork& work) {
 void note_felt(Visitor& visitor) {
     if (!visitor.felt || visitor.has_felt) return;
     visitor.has_felt = true;
-    const LoadPicture& order = visitor.felt->order;
-    if (order.source == PictureSource::practice) return;
-    const std::pair picture{order.source, order.index};
+    const LoadPicture& picture = visitor.felt->order;
+    if (picture.source == PictureSource::practice) return;
+    const std::pair known{picture.source, picture.index};
     // Each photo is another picture.
     const bool is_known =
-        order.source != PictureSource::camera &&
-        std::ranges::find(visitor.pictures_felt, picture) != visitor.pictures_felt.end();
-    if (!is_known) visitor.pictures_felt.push_back(picture);
+        picture.source != PictureSource::camera &&
+        std::ranges::find(visitor.pictures_felt, known) != visitor.pictures_felt.end();
+    if (!is_known) visitor.pictures_felt.push_back(known);
+}
+
+/// The operator's question was not answered. What it was asked over may be a screen without a
+/// visitor, where no other screen may stay open either.
+void forget_to_quit(VisitWork& work) {
+    Visitor& visitor = work.visitor;
+    if (!visitor.over || work.site.now_s - visitor.entered_s < quit_asked_s) return;
+    const bool is_on = is_visit_on(visit_of(work));
+    if (is_on && visitor.over->screen == VisitScreen::confirm) return uncover(work);
+    if (!is_on) visitor.over.reset();
 }
 
 }  // namespace
@@ -212,6 +223,7 @@ void take(VisitWork& work, const Tick& tick) {
     if (screen == VisitScreen::goodbye && work.site.now_s - work.visitor.entered_s >= goodbye_s) {
         nobody_is_here(work);
     }
+    forget_to_quit(work);
     if (!is_visit_on(visit_of(work))) return;
     begin_leading(work);
     tell_progress(work);

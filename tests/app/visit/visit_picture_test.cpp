@@ -70,46 +70,6 @@ TEST(Visit, HA1_AnyKeyStopsInTheSameStepAndDoesNothingElse) {
     }
 }
 
-/// Any key would only stop the handle.
-TEST(Visit, NoHintIsSaidWhileTheHandleGuides) {
-    FakeHouse house;
-    to_picture(house);
-    house.lead_s = 20.0;
-    ASSERT_TRUE(house.choose("Guide me round the outer outline"));
-    const std::size_t before = house.transcript.size();
-    house.wait(21.0);
-    EXPECT_EQ(house.transcript.size(), before) << house.last_said();
-    house.wait(3.0);
-    EXPECT_TRUE(house.has_said("You have gone all the way round.", before));
-}
-
-TEST(Visit, WhyGuidingEndedIsSaid) {
-    for (const auto& [why, told] :
-         {std::pair{GuidanceEnd::arrived, "You have gone all the way round."},
-          std::pair{GuidanceEnd::let_go, "You let go of the handle. It has stopped guiding you."},
-          std::pair{GuidanceEnd::no_force, "The force is off. The handle has stopped guiding you."},
-          std::pair{GuidanceEnd::other, "The handle has stopped guiding you."}}) {
-        FakeHouse house;
-        to_picture(house);
-        house.lead_s = 100.0;
-        ASSERT_TRUE(house.choose("Guide me round the outer outline"));
-        house.wait(3.0);
-        house.apply(GuidanceEnded{why});
-        EXPECT_EQ(house.last_said(), told);
-        house.press(KeyRole::repeat);
-        EXPECT_EQ(house.last_said(), told);
-    }
-    for (const SwitchUse use : {SwitchUse::none, SwitchUse::move_and_select}) {
-        FakeHouse house;
-        house.settings.two_switches = use;
-        to_picture(house);
-        ASSERT_TRUE(house.choose("Guide me round the outer outline"));
-        house.press(KeyRole::select);
-        EXPECT_TRUE(house.last_said().starts_with(
-            use == SwitchUse::none ? "You pressed a key." : "You pressed a switch."));
-    }
-}
-
 TEST(Visit, HA1_NothingElseEverLeads) {
     FakeHouse house;
     to_picture(house);

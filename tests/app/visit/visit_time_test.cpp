@@ -91,17 +91,6 @@ TEST(Visit, TI1_NoAnswerEndsTheVisit) {
     EXPECT_EQ(house.open(), VisitScreen::attract);
 }
 
-TEST(Visit, TheQuestionsSecondsCountDown) {
-    FakeHouse house;
-    to_picture(house);
-    while (house.open() != VisitScreen::question) house.wait(0.05);
-    EXPECT_NE(house.screen().text.find("in 30 seconds"), std::string::npos);
-    house.wait(10.0);
-    EXPECT_NE(house.screen().text.find("in 20 seconds"), std::string::npos);
-    house.wait(19.5);
-    EXPECT_NE(house.screen().text.find("in 1 second."), std::string::npos) << house.screen().text;
-}
-
 TEST(Visit, TI1_TimesAreTheOperatorsWithinBounds) {
     for (const auto& [quiet_s, expected_s] :
          {std::pair{45.0, 45.0}, std::pair{1.0, 30.0}, std::pair{1e9, 1800.0}}) {
@@ -237,31 +226,6 @@ TEST(Visit, TI6_GoodbyeRemindsOfStickAndHeadphones) {
     const std::size_t last = house.transcript.size() - 1;
     EXPECT_TRUE(house.has_said("nehmen Sie ihn wieder mit.", last));
     EXPECT_FALSE(house.has_said("USB-Stick", last)) << "there is none";
-}
-
-TEST(Visit, GoodbyeCountsThePicturesThatWereFelt) {
-    FakeHouse house;
-    HandleSeen moved;
-    moved.part = 0;
-    moved.has_moved = true;
-    to_choose(house);
-    ASSERT_TRUE(house.choose("Practice shape"));
-    house.wait(0.5);
-    house.apply(moved);
-    house.press(KeyRole::back);  // to the pictures
-    for (const char* title : {"Picture 5 en", "Picture 11 en", "Picture 5 en", "Picture 4 en"}) {
-        ASSERT_TRUE(house.choose(title));
-        house.wait(0.5);
-        if (title != std::string("Picture 4 en")) house.apply(moved);
-        ASSERT_TRUE(house.choose("Another picture"));
-    }
-    finish(house);
-    EXPECT_TRUE(house.has_said("You felt 2 pictures.", house.transcript.size() - 1))
-        << "neither practice nor one that was only open, and none twice: " << house.last_said();
-    house.wait(12.0);
-    house.press({KeyRole::select, KeyRole::select});
-    finish(house);
-    EXPECT_FALSE(house.has_said("You felt", house.transcript.size() - 1));
 }
 
 TEST(Visit, GoodbyeRemindsOfAStickThatIsThere) {
