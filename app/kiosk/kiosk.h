@@ -173,6 +173,7 @@ class Kiosk {
     void act(Action action);
     void press_for_visit(KeyRole role);
     void press_switch(SwitchEvent event);
+    void scan_by_itself();
     void strike_key(const KeyStruck& struck);
     [[nodiscard]] bool are_keys_free() const;
     [[nodiscard]] bool takes_operator_keys() const;
