@@ -119,8 +119,9 @@ class CommandLine {
         app_.add_option("--measure", kiosk_.measure_s,
                         "Run the kiosk this many seconds, print its ticks and frames, and end")
             ->check(above_zero(86400.0));
-        app_.add_option("files", kiosk_.files, "Pictures and maps to show before the gallery")
-            ->check(CLI::ExistingFile);
+        app_.add_option("files", kiosk_.files,
+                        "Pictures, and folders of them, to offer as a USB stick would")
+            ->check(CLI::ExistingPath);
         add_trace();
         add_curve();
         add_feel();

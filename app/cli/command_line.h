@@ -14,7 +14,7 @@ namespace touchline {
 
 struct KioskArguments {
     bool in_window = false;           // false: full screen
-    std::vector<std::string> files;   // pictures and maps to show before the gallery
+    std::vector<std::string> files;   // pictures, and folders of them, to offer as a stick would
     std::optional<double> measure_s;  // run this long, print ticks and frames, and end
 };
 

@@ -184,8 +184,7 @@ void Kiosk::tick() {
     follow_handle();
     follow_troubles();
     apply(Tick{now_s_});
-    if (settings_.two_switches == SwitchUse::by_itself && !is_operator_in())
-        press_switch(SwitchEvent::tick);
+    scan_by_itself();
     count_visit();
     follow_hours();
     follow_operator();

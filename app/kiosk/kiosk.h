@@ -175,6 +175,7 @@ class Kiosk : private Pinned {
     void answer_staff(const std::string& english);
     void press_for_visit(KeyRole role);
     void press_switch(SwitchEvent event);
+    void scan_by_itself();
     void strike_key(const KeyStruck& struck);
     [[nodiscard]] bool are_keys_free() const;
     [[nodiscard]] bool takes_operator_keys() const;

@@ -83,6 +83,15 @@ void Kiosk::press_switch(SwitchEvent event) {
     if (step.press) apply(KeyPressed{*step.press});
 }
 
+/// With one switch the items come by themselves, each once the words before it have been heard.
+void Kiosk::scan_by_itself() {
+    if (settings_.two_switches != SwitchUse::by_itself || is_operator_in()) return;
+    if (sound_->is_speaking() && sound_->problem().empty())
+        keys_.scan.since_s = now_s_;
+    else
+        press_switch(SwitchEvent::tick);
+}
+
 void Kiosk::act(Action action) {
     switch (action) {
         case Action::repeat_speech:

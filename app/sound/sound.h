@@ -36,6 +36,11 @@ class Sound final : public VisitorSound {
     void say(const Utterance& utterance) override;
     void hush() override;
     void toggle_pause() override;
+
+    [[nodiscard]] bool is_speaking() const override {
+        return speaker_.queue().current().has_value();
+    }
+
     void give(ScreenEvent event) override;
     void play_side(bool is_left) override;
     void choose(const SoundWanted& wanted) override;

@@ -42,6 +42,9 @@ class VisitorSound : public Interface {
     /// Pauses speech; the next call goes on.
     virtual void toggle_pause() = 0;
 
+    /// True while words are being said, or wait to be.
+    [[nodiscard]] virtual bool is_speaking() const = 0;
+
     virtual void give(ScreenEvent event) = 0;
 
     /// Plays a short tone on one ear, for the self-test.

@@ -38,6 +38,7 @@ struct SpokenScreen {
     std::vector<ScreenItem> items;
     std::optional<std::size_t> focus;  // an index of items; nothing: no item has it
     ScreenView view = ScreenView::none;
+    bool takes_any_key = false;  // every key does the same
 
     friend bool operator==(const SpokenScreen&, const SpokenScreen&) = default;
 };

@@ -128,12 +128,6 @@ PictureRows rows_of(const VisitWork& work, PictureSource source) {
     return {source, work.visitor, work.world, language_of(work)};
 }
 
-/// The rows that an open list shows, itself or by its parts.
-ListPart part_of(const Standing& open, const PictureRows& rows) {
-    if (open.end == 0) return {0, rows.size()};
-    return {static_cast<std::size_t>(open.about), static_cast<std::size_t>(open.end)};
-}
-
 std::string pictures_in_words(std::size_t count, const Language& language) {
     return language.counted("count", "{0} picture", "{0} pictures", static_cast<int>(count));
 }
@@ -160,7 +154,7 @@ void write_part(VisitSheet& sheet, const PictureRows& rows, const std::vector<Li
 template <PictureSource source>
 void write_list(VisitSheet& sheet) {
     const PictureRows rows = rows_of(sheet, source);
-    const ListPart part = part_of(sheet.visitor().path.back(), rows);
+    const ListPart part = shown_part(sheet.visitor().path.back(), rows.size());
     const std::vector<ListPart> parts = rows.parts(part);
     for (std::size_t i = 0; i < parts.size(); ++i) write_part(sheet, rows, parts, i);
     if (!parts.empty()) return;
@@ -170,7 +164,7 @@ void write_list(VisitSheet& sheet) {
 /// A part is called as its row was.
 void write_name_of_part(VisitSheet& sheet, PictureSource source) {
     const PictureRows rows = rows_of(sheet, source);
-    const ListPart part = part_of(sheet.visitor().path.back(), rows);
+    const ListPart part = shown_part(sheet.visitor().path.back(), rows.size());
     sheet.screen.title = rows.name_of(part);
     sheet.told(pictures_in_words(part.size(), sheet.language));
 }
@@ -202,19 +196,15 @@ void open_row(VisitWork& work, PictureSource source, const PictureRows& rows, st
     open_picture(work, source, rows.number_at(row), rows.name_at(row));
 }
 
-void open_part(VisitWork& work, VisitScreen list, const ListPart& part) {
-    enter(work, list, static_cast<int>(part.first));
-    work.visitor.path.back().end = static_cast<int>(part.end);
-}
-
 /// `row`: of a picture, or the first of a part.
 template <PictureSource source>
 void take_row(VisitWork& work, std::size_t row, const std::string& /*name*/) {
     const PictureRows rows = rows_of(work, source);
-    const std::vector<ListPart> parts = rows.parts(part_of(work.visitor.path.back(), rows));
+    const std::vector<ListPart> parts =
+        rows.parts(shown_part(work.visitor.path.back(), rows.size()));
     const auto part = std::ranges::find(parts, row, &ListPart::first);
     if (part == parts.end() || part->size() == 1) return open_row(work, source, rows, row);
-    open_part(work, list_of(source), *part);
+    enter_part(work, list_of(source), *part);
     say_screen(work);
 }
 
@@ -279,20 +269,30 @@ VisitMenu list_menu() {
     return {list_screens, list_items};
 }
 
+ListPart shown_part(const Standing& open, std::size_t rows) {
+    if (open.end == 0) return {0, rows};
+    return {static_cast<std::size_t>(open.about), static_cast<std::size_t>(open.end)};
+}
+
+void enter_part(VisitWork& work, VisitScreen list, const ListPart& part) {
+    enter(work, list, static_cast<int>(part.first));
+    work.visitor.path.back().end = static_cast<int>(part.end);
+}
+
 void return_to_row(VisitWork& work, PictureSource source, std::size_t number) {
     go_to(work, list_of(source));
     const PictureRows rows = rows_of(work, source);
     const auto row = rows.row_of(number);
     while (row) {
         Standing& open = work.visitor.path.back();
-        const ListPart part = part_of(open, rows);
+        const ListPart part = shown_part(open, rows.size());
         const std::vector<ListPart> parts = rows.parts(part);
         const auto inner =
             std::ranges::find_if(parts, [&row](const ListPart& each) { return *row < each.end; });
         open.focus = inner == parts.end() ? *row - part.first
                                           : static_cast<std::size_t>(inner - parts.begin());
         if (inner == parts.end() || inner->size() == 1) return;
-        open_part(work, list_of(source), *inner);
+        enter_part(work, list_of(source), *inner);
     }
 }
 

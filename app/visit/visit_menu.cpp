@@ -55,11 +55,17 @@ void add_item(VisitSheet& sheet, const VisitItemRow& row) {
     if (row.hint != nullptr) shown.hint = sheet.words(row.hint);
 }
 
+/// A part of a list has the list's rows alone.
+bool is_shown(const VisitSheet& sheet, const VisitItemRow& row) {
+    const bool is_part = open_standing(sheet.visitor()).end > 0;
+    if (is_part && !std::holds_alternative<VisitList>(row.does)) return false;
+    return row.is_shown == nullptr || row.is_shown(sheet);
+}
+
 void add_items(VisitSheet& sheet, VisitScreen screen) {
     for (const VisitMenu& menu : menus())
         for (const VisitItemRow& row : menu.items)
-            if (row.screen == screen && (row.is_shown == nullptr || row.is_shown(sheet)))
-                add_item(sheet, row);
+            if (row.screen == screen && is_shown(sheet, row)) add_item(sheet, row);
 }
 
 /// Rewords the hint of a single item, because it must not send anybody to another item.
@@ -164,6 +170,7 @@ SpokenScreen screen_of(const Visit& visit, const VisitWorld& world) {
     // A picture stays in view beneath what lies over it.
     const ScreenView beneath = row_of(visitor.path.back().screen).view;
     sheet.screen.view = beneath == ScreenView::picture ? beneath : row.view;
+    sheet.screen.takes_any_key = row.any_key != nullptr || visitor.leading.has_value();
     return sheet.screen;
 }
 

@@ -3,6 +3,7 @@
 // Threads: constant data, pure functions, and values of one step.
 #pragma once
 
+#include "app/visit/list_parts.h"
 #include "app/visit/visit_work.h"
 
 #include <array>
@@ -140,6 +141,12 @@ struct VisitMenu {
 
 /// Enters the screen and says it.
 void show(VisitWork& work, VisitScreen screen, int about = 0, std::size_t focus = 0);
+
+/// The rows of an open list that it shows, each by itself or in parts.
+[[nodiscard]] ListPart shown_part(const Standing& open, std::size_t rows);
+
+/// Opens a part of the open list, without a word.
+void enter_part(VisitWork& work, VisitScreen list, const ListPart& part);
 
 /// Writes each key and its use, to be read (visit_keys.cpp).
 void write_keys(VisitSheet& sheet);

@@ -54,12 +54,15 @@ SwitchStep step_switches(const SwitchScan& scan, SwitchEvent event, const Spoken
     next.title = screen.title;
     if (event == SwitchEvent::tick) {
         const bool is_due = scan_s > 0.0 && now_s - scan.since_s >= scan_s;
-        if (!is_due || scan.rounds >= rounds_by_itself) return {next, std::nullopt, ""};
+        if (screen.takes_any_key) next.since_s = now_s;
+        if (!is_due || screen.takes_any_key || scan.rounds >= rounds_by_itself)
+            return {next, std::nullopt, ""};
         next.since_s = now_s;
         return moved(next, screen, language);
     }
     next.since_s = now_s;
     next.rounds = 0;
+    if (screen.takes_any_key) return {next, KeyRole::select, ""};
     return event == SwitchEvent::move ? moved(next, screen, language) : selected(next, screen);
 }
 

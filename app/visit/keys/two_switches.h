@@ -28,7 +28,9 @@ struct SwitchStep {
 };
 
 /// `scan_s`: how long each item waits before it moves on by itself; 0: never. A press of the move
-/// switch restarts a stopped scan where it was.
+/// switch restarts a stopped scan where it was. Where every key does the same, both switches press
+/// one and nothing moves by itself: a handle that leads is not stopped, and a question is not
+/// answered.
 [[nodiscard]] SwitchStep step_switches(const SwitchScan& scan, SwitchEvent event,
                                        const SpokenScreen& screen, double scan_s, double now_s,
                                        const Language& language);

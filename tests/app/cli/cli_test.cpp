@@ -470,6 +470,8 @@ TEST_F(Cli, TheKioskAndTheTourGetWhatWasSaid) {
     EXPECT_TRUE(kiosk_.in_window);
     EXPECT_EQ(kiosk_.measure_s, 2.5);
     EXPECT_EQ(kiosk_.files, (std::vector<std::string>{path("map.svg")}));
+    ASSERT_EQ(run({"@"}), 0) << "a folder of pictures";
+    EXPECT_EQ(kiosk_.files, (std::vector<std::string>{path("")}));
     ASSERT_EQ(run({"tour", "@map.svg", "--picture", "-o", "@run.png"}), 0);
     EXPECT_EQ(tour_.input, path("map.svg"));
     EXPECT_EQ(tour_.output, path("run.png"));

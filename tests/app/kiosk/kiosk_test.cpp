@@ -4,6 +4,7 @@
 #include "tests/app/kiosk/blind_visitor.h"
 #include "tests/app/kiosk/kiosk_world.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -44,6 +45,51 @@ TEST(Kiosk, ADetailOfAPictureOfAStickThatWasPulledIsOfThatPicture) {
     ASSERT_TRUE(visitor.choose("Twice as large")) << visitor.heard();
     world.run(2.0);
     EXPECT_GT(world.servo().felt_count, felt) << visitor.heard();
+}
+
+/// The window system repeats a held key thirty times a second.
+TEST(Kiosk, AKeyThatIsHeldJumpsOnceASecond) {
+    KioskWorld world;
+    BlindVisitor visitor(world);
+    visitor.press(KeyRole::select);
+    ASSERT_TRUE(visitor.choose("English"));
+    const PhysicalKey key = keys_of(default_keys(), KeyRole::down).at(0);
+    const auto hold = [&](double for_s, bool is_first) {
+        const double end_s = world.now_s() + for_s;
+        for (bool is_repeat = !is_first; world.now_s() < end_s; is_repeat = true) {
+            world.kiosk().change_key({key, true, is_repeat, world.now_s()});
+            world.run(1.0 / 30.0);
+        }
+    };
+    hold(0.9, true);
+    EXPECT_EQ(world.kiosk().screen().focus, 1U) << "one press";
+    hold(0.5, false);
+    const std::size_t last = world.kiosk().screen().items.size() - 1;
+    EXPECT_EQ(world.kiosk().screen().focus, std::min(items_on_screen, last));
+    hold(3.0, false);
+    EXPECT_EQ(world.kiosk().screen().focus, last) << "never over the end";
+}
+
+TEST(Kiosk, APictureGivenAtTheStartStaysAndIsToldByItsNameWithoutItsPath) {
+    KioskWorld world;
+    const fs::path bad = world.folder() / "my_letter.png";
+    std::ofstream(bad) << "not a picture";
+    world.kiosk().give(
+        {file_at(TOUCHLINE_SOURCE_DIR "/app/documents/gallery/pictures/07-house.svg"),
+         file_at(bad.string())});
+    for (int visit = 0; visit < 2; ++visit) {
+        BlindVisitor visitor(world);
+        visitor.press(KeyRole::select);
+        ASSERT_TRUE(visitor.choose("English"));
+        ASSERT_TRUE(visitor.choose("Your USB stick, 2 pictures")) << visitor.heard();
+        const auto before = world.heard().things.size();
+        ASSERT_TRUE(visitor.choose("my letter")) << visitor.heard();
+        ASSERT_TRUE(visitor.wait_for("my letter cannot be opened. This file is no picture"))
+            << visitor.heard();
+        EXPECT_FALSE(world.heard().was_said("/", before)) << world.heard().text_since(before);
+        world.run(400.0);
+        ASSERT_FALSE(is_visit_on(world.kiosk().visit()));
+    }
 }
 
 /// The log never names a visitor's picture.

@@ -1,5 +1,7 @@
 // Tests whole visits: by the transcript alone, slowly, with two switches, in every language,
 // rudely.
+#include "app/documents/gallery/gallery.h"
+#include "tests/app/documents/decode/files_of_formats.h"
 #include "tests/app/kiosk/blind_visitor.h"
 #include "tests/app/kiosk/kiosk_world.h"
 
@@ -48,10 +50,10 @@ void begin(BlindVisitor& visitor) {
     ASSERT_TRUE(visitor.wait_for("What to feel")) << visitor.heard();
 }
 
-void to_choices(BlindVisitor& visitor) {
+void to_choices(BlindVisitor& visitor, const std::string& title = "What to feel") {
     for (int i = 0; i < 4; ++i) {
         visitor.press(KeyRole::back);
-        if (visitor.heard().find("What to feel") != std::string::npos) return;
+        if (visitor.heard().find(title) != std::string::npos) return;
     }
     FAIL() << visitor.heard();
 }
@@ -143,6 +145,35 @@ TEST(WholeVisit, InEveryLanguage) {
     }
 }
 
+/// The title of a picture that ships with the kiosk.
+std::string title_of(const std::string& ending, const Language& language) {
+    for (const GalleryEntry& entry : list_gallery(pictures, {language.code()}).value())
+        if (entry.path.ends_with(ending)) return entry.title;
+    return {};
+}
+
+TEST(WholeVisit, PracticeAndGallerySpeakTheVisitorsLanguage) {
+    for (const Language& language : all_languages()) {
+        SCOPED_TRACE(language.name());
+        const auto words = [&language](const char* english) {
+            return language.text("visit", english);
+        };
+        KioskWorld world;
+        BlindVisitor visitor(world);
+        visitor.press(KeyRole::select);
+        ASSERT_TRUE(visitor.choose(language.name())) << visitor.heard();
+        ASSERT_TRUE(visitor.choose(words("Practice shape"))) << visitor.heard();
+        EXPECT_TRUE(visitor.wait_for(title_of("-circle.svg", language))) << visitor.heard();
+        ASSERT_TRUE(visitor.choose(words("Another shape"))) << visitor.heard();
+        EXPECT_TRUE(visitor.wait_for(title_of("-square.svg", language))) << visitor.heard();
+        to_choices(visitor, words("What to feel"));
+        ASSERT_TRUE(visitor.choose(words("Gallery"))) << visitor.heard();
+        const std::string heart = title_of("-heart.svg", language);
+        ASSERT_TRUE(visitor.choose_picture(heart)) << visitor.heard();
+        EXPECT_TRUE(visitor.wait_for(heart + ". ")) << visitor.heard();
+    }
+}
+
 /// Uses two keys only: one moves on, the other selects.
 TEST(WholeVisit, WithTwoSwitches) {
     KioskWorld world;
@@ -178,6 +209,100 @@ TEST(WholeVisit, WithTwoSwitches) {
     ASSERT_TRUE(move_to("Back")) << "keys are items too";
     select();
     EXPECT_TRUE(is_visit_on(world.kiosk().visit()));
+}
+
+bool is_on_screen(KioskWorld& world, VisitItem item) {
+    return place_of(world.kiosk().screen().items, static_cast<int>(item)).has_value();
+}
+
+/// Waits until the item comes by itself, and presses the only switch.
+bool choose_when_it_comes(KioskWorld& world, VisitItem item) {
+    for (int i = 0; i < 400; ++i) {
+        const SpokenScreen now = world.kiosk().screen();
+        if (now.focus && now.items[*now.focus].id == static_cast<int>(item)) {
+            world.press(KeyRole::select);
+            world.run(1.0);
+            return true;
+        }
+        world.run(0.25);
+    }
+    return false;
+}
+
+/// One switch alone: every item comes by itself, and the handle that leads is not stopped by it.
+TEST(WholeVisit, WithOneSwitch) {
+    KioskWorld world;
+    Settings settings;
+    settings.two_switches = SwitchUse::by_itself;
+    world.kiosk().set(settings);
+    const auto before = world.heard().things.size();
+    world.run(60.0);
+    EXPECT_FALSE(world.heard().was_said("Repeat", before)) << "nobody is here to be told of keys";
+    world.press(KeyRole::select);
+    world.run(0.1);
+    for (const VisitItem item : {VisitItem::entry, VisitItem::practise, VisitItem::lead_round})
+        ASSERT_TRUE(choose_when_it_comes(world, item)) << world.heard().text_since(before);
+    const auto led = world.heard().things.size();
+    world.run(20.0);
+    EXPECT_FALSE(world.heard().was_said("Stopped.", led)) << world.heard().text_since(led);
+    if (world.kiosk().visit().visitor.leading) world.press(KeyRole::select);
+    while (!is_on_screen(world, VisitItem::finish))
+        ASSERT_TRUE(choose_when_it_comes(world, VisitItem::back));
+    for (const VisitItem item : {VisitItem::finish, VisitItem::yes})
+        ASSERT_TRUE(choose_when_it_comes(world, item)) << world.heard().text_since(led);
+    EXPECT_TRUE(world.heard().was_said("Goodbye", led));
+}
+
+TEST(WholeVisit, ThroughAPdfOfManyPages) {
+    constexpr int pages = 12;
+    KioskWorld world;
+    const encoders::Bytes pdf =
+        drawn_pdf(std::vector<std::vector<DrawnImage>>(pages, {{100.0, 100.0, 300.0, 300.0}}));
+    std::ofstream(world.folder() / "tales.pdf", std::ios::binary)
+        .write(reinterpret_cast<const char*>(pdf.data()), static_cast<std::streamsize>(pdf.size()));
+    world.put_stick({world.folder() / "tales.pdf"});
+    BlindVisitor visitor(world);
+    begin(visitor);
+    ASSERT_TRUE(visitor.choose("Your USB stick, 1 picture")) << visitor.heard();
+    ASSERT_TRUE(visitor.choose("tales, picture 1 of 1")) << visitor.heard();
+    ASSERT_TRUE(visitor.wait_for("Page 1 of 12")) << visitor.heard();
+    for (int number = 2; number <= pages; ++number) {
+        ASSERT_TRUE(visitor.choose("Pages")) << visitor.heard();
+        ASSERT_TRUE(visitor.choose("Go to the next page")) << visitor.heard();
+        ASSERT_TRUE(visitor.wait_for("Page " + std::to_string(number) + " of 12"))
+            << visitor.heard();
+        EXPECT_FALSE(world.servo().picture().map->outlines.empty()) << number;
+    }
+    ASSERT_TRUE(visitor.choose("Pages")) << visitor.heard();
+    EXPECT_FALSE(visitor.find("Go to the next page")) << "it is the last";
+    ASSERT_TRUE(visitor.choose("Go to the page before")) << visitor.heard();
+    ASSERT_TRUE(visitor.wait_for("Page 11 of 12")) << visitor.heard();
+    finish(world, visitor);
+}
+
+TEST(WholeVisit, ResetAndStartOverByEar) {
+    KioskWorld world;
+    BlindVisitor visitor(world);
+    begin(visitor);
+    feel_gallery_picture(world, visitor);
+    to_choices(visitor);
+    ASSERT_TRUE(visitor.choose("Settings")) << visitor.heard();
+    ASSERT_TRUE(visitor.choose("Speaking speed")) << visitor.heard();
+    ASSERT_TRUE(visitor.choose("Step 1")) << visitor.heard();
+    const std::size_t rate = world.heard().wanted.rate;
+    ASSERT_TRUE(visitor.choose("Reset the settings")) << visitor.heard();
+    ASSERT_TRUE(visitor.choose("Yes")) << visitor.heard();
+    EXPECT_NE(world.heard().wanted.rate, rate);
+    EXPECT_FALSE(world.servo().picture().map->outlines.empty()) << "the picture stays";
+    ASSERT_TRUE(visitor.choose("Start over")) << visitor.heard();
+    ASSERT_TRUE(visitor.choose("No")) << visitor.heard();
+    EXPECT_FALSE(world.servo().picture().map->outlines.empty());
+    ASSERT_TRUE(visitor.choose("Start over")) << visitor.heard();
+    ASSERT_TRUE(visitor.choose("Yes")) << visitor.heard();
+    EXPECT_NE(visitor.heard().find("Pictures to feel"), std::string::npos) << visitor.heard();
+    EXPECT_TRUE(world.servo().picture().map->outlines.empty()) << "nothing stays";
+    ASSERT_TRUE(visitor.choose("English")) << visitor.heard();
+    ASSERT_TRUE(visitor.wait_for("What to feel")) << visitor.heard();
 }
 
 /// Presses 10 000 seeded random keys, in any order and at any pace.

@@ -117,9 +117,10 @@ Page page_of_document(std::size_t picture, int number, int count) {
 
 Result<Page> open_document(const PageOrder& order) {
     constexpr std::array<std::size_t, 3> drawn{5, 12, 34};  // a fish, a boat, a graph
-    const int count = static_cast<int>(drawn.size());
+    constexpr int count = 12;
     if (order.page < 1 || order.page > count) return failure("plan.pdf has no such page");
-    return page_of_document(drawn.at(static_cast<std::size_t>(order.page - 1)), order.page, count);
+    const auto picture = static_cast<std::size_t>(order.page - 1) % drawn.size();
+    return page_of_document(drawn.at(picture), order.page, count);
 }
 
 FilePtr file_of_stick(const std::string& name, std::function<Result<Page>(const PageOrder&)> open) {
@@ -168,19 +169,31 @@ ThingFinder staged_finder() {
     };
 }
 
-/// A document of three pages, and a file that is no document.
+/// A document of twelve pages, and a file that is no document.
 std::vector<FilePtr> staged_files() {
-    return {
-        file_of_stick("holiday plan.pdf", open_document),
-        file_of_stick("letter.pdf", [](const PageOrder&) -> Result<Page> {
-            return failure("letter.pdf holds no picture that is known here; choose another one");
-        })};
+    return {file_of_stick("holiday plan.pdf", open_document),
+            file_of_stick("letter.pdf", [](const PageOrder&) -> Result<Page> {
+                return failure("letter.pdf is no picture that is known here, by its first bytes");
+            })};
+}
+
+std::vector<FilePtr> two_hundred_and_five_files() {
+    const std::vector<FilePtr>& drawn = gallery_without_workers().files[0];
+    std::vector<FilePtr> files;
+    const auto add = [&](const std::string& name) {
+        files.push_back(file_of_stick(name, drawn[files.size() % drawn.size()]->open));
+    };
+    for (const char* name : {"Anna", "boat", "cat", "garden", "house", "map"})
+        for (int i = 1; i <= 10; ++i) add(fmt::format("{} {}.png", name, i));
+    for (int i = 1; i <= 135; ++i) add(fmt::format("P{}.JPG", 1000 + i));
+    for (int i = 1; i <= 10; ++i) add(fmt::format("zoo {}.png", i));
+    return files;
 }
 
 }  // namespace
 
 StagedKiosk::StagedKiosk(const Staging& staging)
-    : has_two_switches_(staging.two_switches != SwitchUse::none), folder_(new_folder()) {
+    : switches_(staging.two_switches), folder_(new_folder()) {
     auto servo = std::make_unique<SteppedServo>();
     servo_ = servo.get();
     auto sticks = std::make_unique<SimFileSource>();
@@ -230,10 +243,12 @@ void StagedKiosk::tell(const std::string& direction) {
 }
 
 void StagedKiosk::press(KeyRole role) {
-    const bool is_first_switch = has_two_switches_ && role != KeyRole::select;
-    tell(is_first_switch     ? "the switch that moves on"
-         : has_two_switches_ ? "the switch that selects"
-                             : key_names.at(static_cast<std::size_t>(role)));
+    const bool is_select = role == KeyRole::select;
+    const bool has_two = switches_ == SwitchUse::move_and_select;
+    tell(switches_ == SwitchUse::by_itself ? "the switch"
+         : !has_two                        ? key_names.at(static_cast<std::size_t>(role))
+         : is_select                       ? "the switch that selects"
+                                           : "the switch that moves on");
     hearing_->key_s = now_s_;
     kiosk_->press(role);
     run(frame_s);
@@ -249,11 +264,19 @@ void StagedKiosk::do_nothing(double for_s) {
     run(for_s);
 }
 
-void StagedKiosk::put_stick() {
+void StagedKiosk::put(std::vector<FilePtr> files) {
     tell("puts a USB stick in");
-    sticks_->put(staged_files(), listing_s);
+    sticks_->put(std::move(files), listing_s);
     run(listing_s);
     listen();
+}
+
+void StagedKiosk::put_stick() {
+    put(staged_files());
+}
+
+void StagedKiosk::put_full_stick() {
+    put(two_hundred_and_five_files());
 }
 
 void StagedKiosk::pull_stick() {
@@ -353,6 +376,20 @@ void StagedKiosk::choose_key(KeyRole role) {
     }
     press(KeyRole::select);
     listen();
+}
+
+void StagedKiosk::choose_when_it_comes(int id) {
+    const auto has_come = [this, id] {
+        const SpokenScreen shown = screen();
+        return shown.focus && shown.items.at(*shown.focus).id == id;
+    };
+    const double end_s = now_s_ + longest_s;
+    while ((!has_come() || hearing_->is_speaking) && now_s_ < end_s) run(frame_s);
+    if (!has_come())
+        throw std::runtime_error(fmt::format("item {} does not come on {}", id, screen().title));
+    run(quickly_s);
+    press(KeyRole::select);
+    hear_one_thing();
 }
 
 void StagedKiosk::wait_for(VisitScreen screen) {

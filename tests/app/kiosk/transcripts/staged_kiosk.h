@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace touchline {
 
@@ -33,7 +34,11 @@ class StagedKiosk : private Pinned {
     void press(KeyRole role);
     void do_nothing(double for_s);
     void press_quickly(KeyRole role);
+    /// A stick with a document of twelve pages and a file that is no document.
     void put_stick();
+
+    /// A stick with 205 pictures, as people and a camera name them.
+    void put_full_stick();
     void pull_stick();
 
     /// The board loses power.
@@ -65,6 +70,10 @@ class StagedKiosk : private Pinned {
 
     void choose(OperatorItem item, std::size_t index);
 
+    /// With one switch: waits until the item with this id has come and was said, then presses the
+    /// switch and listens to one thing.
+    void choose_when_it_comes(int id);
+
     /// With two switches: moves on to the item of this key, which comes after those of the screen,
     /// and selects it.
     void choose_key(KeyRole role);
@@ -81,9 +90,10 @@ class StagedKiosk : private Pinned {
     void move_to(Position to);
     void home_to(HomingStep step, const std::string& direction);
     void tell(const std::string& direction);
+    void put(std::vector<FilePtr> files);
 
     double now_s_ = 0.0;
-    bool has_two_switches_ = false;
+    SwitchUse switches_ = SwitchUse::none;
     std::filesystem::path folder_;
     std::shared_ptr<Hearing> hearing_ = std::make_shared<Hearing>();
     SteppedServo* servo_ = nullptr;    // owned by the kiosk

@@ -62,6 +62,8 @@ class TimedVoice final : public VisitorSound {
 
     void toggle_pause() override {}
 
+    [[nodiscard]] bool is_speaking() const override { return queue_.current().has_value(); }
+
     void give(ScreenEvent /*event*/) override {}
 
     void play_side(bool is_left) override;

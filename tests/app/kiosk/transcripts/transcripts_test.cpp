@@ -2,6 +2,7 @@
 #include "tests/app/kiosk/transcripts/visit_plans.h"
 #include "tests/machines/sim/kiosk/house.h"
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 
@@ -29,10 +30,28 @@ std::string kept_text(const VisitPlan& plan, const std::string& language) {
     return page.substr(begin, next == std::string::npos ? next : next + 1 - begin);
 }
 
+/// Titles of the gallery that are said in English to a visitor of another language.
+std::vector<std::string> titles_in_english(const Transcript& heard, std::size_t language) {
+    const auto& titles = gallery_without_workers().titles;
+    std::vector<std::string> faults;
+    for (const TranscriptLine& line : heard) {
+        for (const std::string& sentence : sentences_of(line.text)) {
+            const std::string first = sentence.substr(0, sentence.find_first_of(",."));
+            const bool is_english = std::ranges::any_of(
+                titles.front(), [&](const GalleryTitle& each) { return each.title == first; });
+            const bool is_own = std::ranges::any_of(
+                titles[language], [&](const GalleryTitle& each) { return each.title == first; });
+            if (is_english && !is_own) faults.push_back(sentence);
+        }
+    }
+    return faults;
+}
+
 class Transcripts : public testing::TestWithParam<VisitPlan> {};
 
 TEST_P(Transcripts, AreThoseThatWereRead) {
-    for (const Language& language : all_languages()) {
+    for (std::size_t i = 0; i < all_languages().size(); ++i) {
+        const Language& language = all_languages()[i];
         SCOPED_TRACE(language.code());
         const Transcript heard = act_out(GetParam(), language.code());
         EXPECT_EQ(text_of(heard, language.code()), kept_text(GetParam(), language.code()))
@@ -42,6 +61,7 @@ TEST_P(Transcripts, AreThoseThatWereRead) {
         EXPECT_EQ(
             left_in_english(heard, language.code(), read_po(catalogues + language.code() + ".po")),
             std::vector<std::string>{});
+        EXPECT_EQ(titles_in_english(heard, i), std::vector<std::string>{});
     }
 }
 

@@ -81,6 +81,45 @@ void first_visit(StagedKiosk& kiosk) {
     finish(kiosk);
 }
 
+/// Parts of parts, and from picture to picture.
+void gallery(StagedKiosk& kiosk) {
+    begin(kiosk);
+    kiosk.choose(VisitItem::gallery);
+    kiosk.choose(kiosk.screen().items.at(1).id);
+    kiosk.choose(kiosk.screen().items.at(2).id);
+    kiosk.choose(kiosk.screen().items.at(4).id);
+    kiosk.wait_for(VisitScreen::picture);
+    for (int i = 0; i < 2; ++i) {
+        kiosk.choose(VisitItem::next_picture);
+        kiosk.wait_for(VisitScreen::picture);
+    }
+    kiosk.choose(VisitItem::picture_before);
+    kiosk.wait_for(VisitScreen::picture);
+    kiosk.choose(VisitItem::another_picture);
+    go_back(kiosk, 3);
+    finish(kiosk);
+}
+
+void full_stick(StagedKiosk& kiosk) {
+    begin(kiosk);
+    kiosk.put_full_stick();
+    kiosk.choose(VisitItem::stick);
+    kiosk.press(KeyRole::down);
+    kiosk.listen();
+    for (const KeyRole role : {KeyRole::select, KeyRole::down, KeyRole::select, KeyRole::up,
+                               KeyRole::up, KeyRole::select}) {
+        kiosk.press(role);
+        kiosk.listen();
+    }
+    kiosk.wait_for(VisitScreen::picture);
+    kiosk.choose(VisitItem::next_picture);
+    kiosk.wait_for(VisitScreen::picture);
+    kiosk.choose(VisitItem::another_picture);
+    kiosk.pull_stick();
+    go_back(kiosk);
+    finish(kiosk);
+}
+
 void photograph(StagedKiosk& kiosk) {
     begin(kiosk);
     kiosk.choose(VisitItem::camera);
@@ -107,16 +146,15 @@ void document(StagedKiosk& kiosk) {
     kiosk.put_stick();
     kiosk.choose(row(0));
     kiosk.wait_for(VisitScreen::picture);
-    for (int page = 2; page <= 3; ++page) {
+    for (int page = 2; page <= 12; ++page) {
         kiosk.choose(VisitItem::pages);
         kiosk.choose(VisitItem::next_page);
         kiosk.wait_for(VisitScreen::picture);
     }
+    kiosk.choose(VisitItem::pages);
+    kiosk.choose(VisitItem::page_before);
+    kiosk.wait_for(VisitScreen::picture);
     kiosk.choose(VisitItem::another_picture);
-    kiosk.choose(row(1));
-    kiosk.wait_for(VisitScreen::trouble);
-    kiosk.press(KeyRole::select);
-    kiosk.listen();
     kiosk.pull_stick();
     go_back(kiosk);
     finish(kiosk);
@@ -156,8 +194,15 @@ void settings(StagedKiosk& kiosk) {
     finish(kiosk);
 }
 
-void fault(StagedKiosk& kiosk) {
+void trouble(StagedKiosk& kiosk) {
     begin(kiosk);
+    kiosk.choose(VisitItem::stick);
+    kiosk.put_stick();
+    kiosk.choose(row(1));
+    kiosk.wait_for(VisitScreen::trouble);
+    kiosk.press(KeyRole::select);
+    kiosk.listen();
+    go_back(kiosk);
     open_picture_of_gallery(kiosk, 1);
     kiosk.choose(VisitItem::lead_round);
     kiosk.break_device();
@@ -256,15 +301,36 @@ void two_switches(StagedKiosk& kiosk) {
     finish(kiosk);
 }
 
+/// The items come by themselves; the visitor only waits and presses.
+void one_switch(StagedKiosk& kiosk) {
+    const auto choose = [&kiosk](VisitItem item) {
+        kiosk.choose_when_it_comes(static_cast<int>(item));
+    };
+    kiosk.press(KeyRole::select);
+    kiosk.hear_one_thing();
+    kiosk.choose_when_it_comes(row(0));
+    choose(VisitItem::practise);
+    choose(VisitItem::lead_round);
+    kiosk.do_nothing(15.0);
+    while (!place_of(kiosk.screen().items, static_cast<int>(VisitItem::finish)))
+        choose(VisitItem::back);
+    choose(VisitItem::finish);
+    choose(VisitItem::yes);
+    kiosk.do_nothing(12.0);
+}
+
 constexpr std::array plans{
     VisitPlan{"first-visit", first_visit},
+    VisitPlan{"gallery", gallery},
+    VisitPlan{"full-stick", full_stick},
     VisitPlan{"photograph", photograph},
     VisitPlan{"document", document},
     VisitPlan{"settings", settings},
-    VisitPlan{"fault", fault},
+    VisitPlan{"trouble", trouble},
     VisitPlan{"time-out", time_out},
     VisitPlan{"operator", operators_visit},
     VisitPlan{"two-switches", two_switches, SwitchUse::move_and_select},
+    VisitPlan{"one-switch", one_switch, SwitchUse::by_itself},
 };
 
 }  // namespace

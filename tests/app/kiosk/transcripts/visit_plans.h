@@ -16,7 +16,7 @@ struct VisitPlan {
     SwitchUse two_switches = SwitchUse::none;
 };
 
-/// Returns the eight plans.
+/// Returns the plans: visitors of every kind, and the staff.
 [[nodiscard]] std::span<const VisitPlan> visit_plans();
 
 /// Takes a second or two for some minutes of visit. `language`: code. Throws std::runtime_error if

@@ -97,6 +97,23 @@ TEST(TwoSwitches, ByItselfItMovesAtItsPaceAndStopsAfterTwoRounds) {
     EXPECT_TRUE(act(list, scan, SwitchEvent::move, 2.0, 200.0).press) << "and goes on if asked";
 }
 
+TEST(TwoSwitches, WhereAnyKeyDoesTheSameBothPressOneAndNoneComesByItself) {
+    for (const std::size_t items : {std::size_t{0}, std::size_t{3}}) {
+        List list(items);
+        list.screen.takes_any_key = true;
+        SwitchScan scan;
+        for (int i = 0; i < 100; ++i) {
+            const SwitchStep step = act(list, scan, SwitchEvent::tick, 2.0, 0.1 * i);
+            EXPECT_FALSE(step.press);
+            EXPECT_EQ(step.said, "");
+        }
+        EXPECT_EQ(act(list, scan, SwitchEvent::move, 2.0, 10.0).press, KeyRole::select);
+        EXPECT_EQ(act(list, scan, SwitchEvent::select, 2.0, 10.1).press, KeyRole::select);
+        list.screen.takes_any_key = false;
+        EXPECT_FALSE(act(list, scan, SwitchEvent::tick, 2.0, 12.0).press) << "its time begins anew";
+    }
+}
+
 TEST(TwoSwitches, WithoutAPaceNothingMovesByItself) {
     List list(2);
     SwitchScan scan;

@@ -64,6 +64,8 @@ class HeardSound final : public VisitorSound {
 
     void toggle_pause() override {}
 
+    [[nodiscard]] bool is_speaking() const override { return false; }
+
     void give(ScreenEvent event) override;
 
     void play_side(bool is_left) override;
