@@ -6,7 +6,7 @@
 #include "config/types/utf8.h"
 #include "haptics/pantograph/profile.h"
 
-#include <charconv>
+#include <algorithm>
 #include <ostream>
 #include <utility>
 
@@ -22,30 +22,20 @@ constexpr int wrong_usage = 2;
 
 /// "116x84", millimetres.
 std::string parse_area(const std::string& text, Area& area) {
-    double width_mm = 0.0;
-    double height_mm = 0.0;
-    const char* const last = text.data() + text.size();
-    const auto [after, error] = std::from_chars(text.data(), last, width_mm);
-    const bool has_x = error == std::errc{} && after != last && *after == 'x';
-    const auto height = has_x ? std::from_chars(after + 1, last, height_mm)
-                              : std::from_chars_result{nullptr, std::errc::invalid_argument};
-    area = {width_mm / 1000.0, height_mm / 1000.0};
-    const bool is_area = height.ec == std::errc{} && height.ptr == last && is_usable(area);
-    return is_area ? "" : fmt::format("{} is no area; write millimetres, like 116x84", text);
+    const std::size_t x = std::min(text.find('x'), text.size());
+    const auto width_mm = number_in<double>(std::string_view(text).substr(0, x));
+    const auto height_mm =
+        number_in<double>(std::string_view(text).substr(std::min(x + 1, text.size())));
+    area = {width_mm.value_or(0.0) / 1000.0, height_mm.value_or(0.0) / 1000.0};
+    return is_usable(area) ? ""
+                           : fmt::format("{} is no area; write millimetres, like 116x84", text);
 }
 
 /// "auto" or a level >= 0, fractions allowed.
 std::string parse_level(const std::string& text, std::optional<double>& level) {
-    level.reset();
-    if (text == "auto") return "";
-    double value = 0.0;
-    const char* const last = text.data() + text.size();
-    const auto [end, error] = std::from_chars(text.data(), last, value);
-    if (error != std::errc{} || end != last || !(value >= 0.0 && value <= 1000.0)) {
-        return fmt::format("{} is no level; write auto or a number from 0 (finest)", text);
-    }
-    level = value;
-    return "";
+    level = number_in<double>(text);
+    if (text == "auto" || (level && *level >= 0.0 && *level <= 1000.0)) return "";
+    return fmt::format("{} is no level; write auto or a number from 0 (finest)", text);
 }
 
 std::string parse_mode(const std::string& text, Mode& mode) {
@@ -73,13 +63,11 @@ std::string parse_class(const std::string& text, std::optional<PictureClass>& pi
 }
 
 /// A number from `low` to `largest`. Unlike the library's own range, it rejects NaN.
-CLI::Validator number_in(double low, double largest, bool is_low_allowed) {
+CLI::Validator range(double low, double largest, bool is_low_allowed) {
     return {[=](const std::string& text) {
-                double value = 0.0;
-                const char* const last = text.data() + text.size();
-                const auto [end, error] = std::from_chars(text.data(), last, value);
-                const bool is_good = error == std::errc{} && end == last && value <= largest &&
-                                     (is_low_allowed ? value >= low : value > low);
+                const auto value = number_in<double>(text);
+                const bool is_good =
+                    value && *value <= largest && (is_low_allowed ? *value >= low : *value > low);
                 return is_good ? std::string{}
                                : fmt::format("{} is not {} {} and at most {}", text,
                                              is_low_allowed ? "at least" : "above", low, largest);
@@ -88,11 +76,11 @@ CLI::Validator number_in(double low, double largest, bool is_low_allowed) {
 }
 
 CLI::Validator above_zero(double largest) {
-    return number_in(0.0, largest, false);
+    return range(0.0, largest, false);
 }
 
 CLI::Validator from_zero(double largest) {
-    return number_in(0.0, largest, true);
+    return range(0.0, largest, true);
 }
 
 CLI::Option* add_input(CLI::App& command, std::string& input, bool* as_picture) {

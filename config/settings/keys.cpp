@@ -1,11 +1,11 @@
 #include "config/settings/keys.h"
 
 #include "config/settings/settings_text.h"
+#include "config/types/utf8.h"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 
 #include <toml++/toml.h>
 
@@ -69,13 +69,10 @@ std::string lower(std::string_view text) {
     return small;
 }
 
-std::optional<std::uint32_t> number_in(std::string_view text, std::uint32_t least,
-                                       std::uint32_t most) {
-    std::uint32_t number = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    const bool is_whole = error == std::errc{} && end == text.data() + text.size();
-    if (!is_whole || number < least || number > most) return std::nullopt;
-    return number;
+std::optional<std::uint32_t> number_between(std::string_view text, std::uint32_t least,
+                                            std::uint32_t most) {
+    const auto number = number_in<std::uint32_t>(text);
+    return number && *number >= least && *number <= most ? number : std::nullopt;
 }
 
 constexpr std::uint32_t first_function_key = static_cast<std::uint32_t>(Key::f1);
@@ -84,7 +81,7 @@ static_assert(static_cast<std::uint32_t>(Key::f24) == first_function_key + funct
 
 std::optional<PhysicalKey> function_key(std::string_view name) {
     if (name.size() < 2 || name.front() != 'f') return std::nullopt;
-    const auto number = number_in(name.substr(1), 1, function_keys);
+    const auto number = number_between(name.substr(1), 1, function_keys);
     if (!number) return std::nullopt;
     return PhysicalKey{KeySource::key, first_function_key + *number - 1};
 }
@@ -92,7 +89,7 @@ std::optional<PhysicalKey> function_key(std::string_view name) {
 std::optional<PhysicalKey> numbered_key(std::string_view name) {
     for (const NumberedSource& kind : numbered) {
         if (!name.starts_with(kind.name)) continue;
-        const auto number = number_in(name.substr(kind.name.size()), kind.least, kind.most);
+        const auto number = number_between(name.substr(kind.name.size()), kind.least, kind.most);
         if (number) return PhysicalKey{kind.source, *number};
     }
     return std::nullopt;

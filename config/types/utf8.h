@@ -1,7 +1,10 @@
-// Text from outside: strict UTF-8, and one harmless line of it. Threads: pure functions.
+// Text from outside: strict UTF-8, one harmless line of it, and numbers in it. Threads: pure
+// functions.
 #pragma once
 
+#include <charconv>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -25,5 +28,27 @@ namespace touchline {
 /// (newline, ESC, the 8-bit ones), separator of lines, and mark that turns the direction of writing
 /// or shows nothing; and '?' for what is not UTF-8. O(n).
 [[nodiscard]] std::string plain_line(std::string_view text);
+
+/// Whether the text is UTF-16, by its first bytes. O(1).
+[[nodiscard]] inline bool is_utf16(std::string_view text) {
+    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) return true;
+    return text.size() > 1 && (text[0] == '\0') != (text[1] == '\0');
+}
+
+/// Returns the text without any of `blanks` at its ends; a view. O(n).
+[[nodiscard]] inline std::string_view trimmed(std::string_view text, std::string_view blanks) {
+    const auto first = text.find_first_not_of(blanks);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+/// The number that the whole text is; nothing if it is none, or beyond a Number. O(n).
+template <class Number>
+[[nodiscard]] std::optional<Number> number_in(std::string_view text) {
+    Number number{};
+    const char* const end = text.data() + text.size();
+    const auto [at, error] = std::from_chars(text.data(), end, number);
+    return error == std::errc() && at == end ? std::optional(number) : std::nullopt;
+}
 
 }  // namespace touchline

@@ -2,6 +2,7 @@
 
 #include "app/documents/decode/one_line.h"
 #include "app/documents/decode/page.h"
+#include "config/types/utf8.h"
 
 namespace touchline {
 namespace {

@@ -2,13 +2,10 @@
 // compared. Threads: pure functions. O(n).
 #pragma once
 
-#include <charconv>
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <system_error>
 
 namespace touchline {
 
@@ -27,15 +24,6 @@ namespace touchline {
     for (char& c : made)
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
     return made;
-}
-
-/// The number that the whole text is; nothing if it is none, or beyond a Number. O(n).
-template <class Number>
-[[nodiscard]] std::optional<Number> number_in(std::string_view text) {
-    Number number{};
-    const char* const end = text.data() + text.size();
-    const auto [at, error] = std::from_chars(text.data(), end, number);
-    return error == std::errc() && at == end ? std::optional(number) : std::nullopt;
 }
 
 /// The same bytes as characters; a view. O(1).

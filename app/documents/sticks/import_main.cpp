@@ -3,6 +3,7 @@
 #include "app/documents/decode/one_line.h"
 #include "app/documents/sticks/stick_reading.h"
 #include "config/types/steady_clock.h"
+#include "config/types/utf8.h"
 
 #include <cerrno>
 #include <cstdint>

@@ -2,6 +2,7 @@
 
 #include "app/documents/decode/one_line.h"
 #include "app/documents/sticks/name_characters.h"
+#include "config/types/utf8.h"
 
 #include <algorithm>
 #include <array>

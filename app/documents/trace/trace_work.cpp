@@ -1,6 +1,7 @@
 #include "app/documents/trace/trace_work.h"
 
 #include "app/documents/decode/one_line.h"
+#include "config/types/utf8.h"
 
 #include <algorithm>
 #include <array>
