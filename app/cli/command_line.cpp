@@ -6,7 +6,7 @@
 #include "config/types/utf8.h"
 #include "haptics/pantograph/profile.h"
 
-#include <charconv>
+#include <algorithm>
 #include <ostream>
 #include <utility>
 
@@ -22,16 +22,13 @@ constexpr int wrong_usage = 2;
 
 /// "116x84", millimetres.
 std::string parse_area(const std::string& text, Area& area) {
-    double width_mm = 0.0;
-    double height_mm = 0.0;
-    const char* const last = text.data() + text.size();
-    const auto [after, error] = std::from_chars(text.data(), last, width_mm);
-    const bool has_x = error == std::errc{} && after != last && *after == 'x';
-    const auto height = has_x ? std::from_chars(after + 1, last, height_mm)
-                              : std::from_chars_result{nullptr, std::errc::invalid_argument};
-    area = {width_mm / 1000.0, height_mm / 1000.0};
-    const bool is_area = height.ec == std::errc{} && height.ptr == last && is_usable(area);
-    return is_area ? "" : fmt::format("{} is no area; write millimetres, like 116x84", text);
+    const std::size_t x = std::min(text.find('x'), text.size());
+    const auto width_mm = number_in<double>(std::string_view(text).substr(0, x));
+    const auto height_mm =
+        number_in<double>(std::string_view(text).substr(std::min(x + 1, text.size())));
+    area = {width_mm.value_or(0.0) / 1000.0, height_mm.value_or(0.0) / 1000.0};
+    return is_usable(area) ? ""
+                           : fmt::format("{} is no area; write millimetres, like 116x84", text);
 }
 
 /// "auto" or a level >= 0, fractions allowed.

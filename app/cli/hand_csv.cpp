@@ -1,8 +1,9 @@
 #include "app/cli/hand_csv.h"
 
+#include "config/types/utf8.h"
+
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -15,12 +16,6 @@ namespace touchline {
 namespace {
 
 constexpr std::string_view separators = ",;\t";
-
-std::string_view trimmed(std::string_view text) {
-    const auto first = text.find_first_not_of(" \t");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
 
 /// The first separator outside of quotes in the first line that is not blank.
 char separator_of(std::string_view text) {
@@ -77,7 +72,7 @@ class CsvReader {
         while (size < rest_.size() && rest_[size] != separator_ && rest_[size] != '\n' &&
                rest_[size] != '\r')
             ++size;
-        std::string field(trimmed(rest_.substr(0, size)));
+        std::string field(trimmed(rest_.substr(0, size), " \t"));
         rest_.remove_prefix(size);
         return field;
     }
@@ -134,11 +129,6 @@ std::optional<std::pair<char, std::size_t>> said_separator(std::string_view text
     return std::pair{separator, end == std::string_view::npos ? text.size() : end + 1};
 }
 
-bool is_utf16(std::string_view text) {
-    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) return true;
-    return text.size() > 1 && (text[0] == '\0') != (text[1] == '\0');
-}
-
 constexpr double largest_m = 1.0;
 constexpr double largest_rad = 1000.0;
 constexpr std::array<std::string_view, 4> names_of{"t_s", "x_m", "y_m", "angle_rad"};
@@ -151,12 +141,9 @@ std::span<const std::string_view> names_of_columns(HandColumns wanted) {
 using Columns = std::vector<std::size_t>;
 
 std::optional<double> number(std::string_view text) {
-    double value = 0.0;
     if (text.starts_with('+')) text.remove_prefix(1);
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
-        return {};
-    return value;
+    const auto value = number_in<double>(text);
+    return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 bool has_decimal_comma(std::string_view text) {

@@ -18,7 +18,7 @@ namespace {
 
 Result<Recording> read_recording(const std::string& path) {
     return read_file(path)
-        .and_then([](const std::vector<std::byte>& bytes) { return decode(bytes); })
+        .and_then([](const std::vector<std::byte>& bytes) { return recording_of(bytes); })
         .map_error([&path](const Error& error) {
             const bool names_path = error.line.starts_with(path);
             return names_path ? error : Error{fmt::format("{}: {}", path, error.line)};

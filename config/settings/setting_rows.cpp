@@ -273,18 +273,4 @@ std::string value_in_words(const Settings& settings, const SettingRow& row) {
     return row.unit.empty() ? number : number + ' ' + std::string(row.unit);
 }
 
-std::string settings_as_markdown() {
-    constexpr std::array<std::string_view, 4> layers{"program", "site", "profile", "session"};
-    const Settings defaults;
-    std::string text =
-        "| setting | allowed | at first | up to | what it does |\n|---|---|---|---|---|\n";
-    for (const SettingRow& row : setting_rows()) {
-        text += "| `" + std::string(row.table) + '.' + std::string(row.key) + "` | " +
-                allowed_values(row) + " | " + value_in_words(defaults, row) + " | " +
-                std::string(layers[static_cast<std::size_t>(row.last_layer)]) + " | " +
-                std::string(row.name) + ": " + std::string(row.help) + " |\n";
-    }
-    return text;
-}
-
 }  // namespace touchline

@@ -100,9 +100,6 @@ struct SettingConflict {
 /// Returns "500 newtons per metre", "groove" or "on", for voice and screen.
 [[nodiscard]] std::string value_in_words(const Settings& settings, const SettingRow& row);
 
-/// Returns the table as Markdown, for config/README.md; ends with a newline.
-[[nodiscard]] std::string settings_as_markdown();
-
 inline constexpr int minutes_a_day = 24 * 60;
 
 /// From one minute of the day to another; past midnight if the end is before the beginning.

@@ -1,6 +1,7 @@
 #include "config/settings/settings_text.h"
 
 #include "config/settings/setting_rows.h"
+#include "config/types/utf8.h"
 
 #include <algorithm>
 #include <array>
@@ -27,6 +28,7 @@ struct SettingsTree {
 };
 
 constexpr std::string_view again = " again ";  // in no name of a table
+constexpr std::string_view blanks = " \t\r";
 
 std::vector<std::string> lines_of(std::string_view text) {
     std::vector<std::string> lines;
@@ -47,14 +49,8 @@ std::string joined(const std::vector<std::string>& lines) {
     return text;
 }
 
-std::string_view trimmed(std::string_view line) {
-    const std::size_t first = line.find_first_not_of(" \t\r");
-    if (first == std::string_view::npos) return {};
-    return line.substr(first, line.find_last_not_of(" \t\r") - first + 1);
-}
-
 bool is_header(std::string_view line) {
-    return trimmed(line).starts_with('[');
+    return trimmed(line, blanks).starts_with('[');
 }
 
 /// Returns what is wrong with a line by itself; nothing if it is sound.
@@ -84,7 +80,7 @@ bool has_long_quote(std::string_view line) {
 std::size_t culprit_of(const std::vector<std::string>& lines, const toml::parse_error& error) {
     const std::size_t told = std::max<std::size_t>(error.source().begin.line, 1) - 1;
     std::size_t at = std::min(told, lines.size() - 1);
-    while (at > 0 && trimmed(lines[at]).empty()) --at;
+    while (at > 0 && trimmed(lines[at], blanks).empty()) --at;
     const bool is_double = error.description().find("redefine") != std::string_view::npos;
     if (is_double || fault_alone(lines[at])) {
         if (is_double || !has_long_quote(lines[at])) return at;
@@ -92,24 +88,19 @@ std::size_t culprit_of(const std::vector<std::string>& lines, const toml::parse_
     for (std::size_t above = 0; above <= at; ++above)
         if (has_long_quote(lines[above])) return above;
     for (std::size_t above = at + 1; above-- > 0;)
-        if (!trimmed(lines[above]).empty() && fault_alone(lines[above])) return above;
+        if (!trimmed(lines[above], blanks).empty() && fault_alone(lines[above])) return above;
     return at;
 }
 
 /// Keys below a header belong to the table that it means, whatever is wrong with it.
 std::string repaired(std::string_view line, std::size_t number) {
     if (!is_header(line)) return {};
-    std::string_view name = trimmed(line);
+    std::string_view name = trimmed(line, blanks);
     name.remove_prefix(std::min(name.find_first_not_of("[ \t\"'"), name.size()));
     constexpr std::string_view letters =
         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
     name = name.substr(0, name.find_first_not_of(letters));
     return "[\"" + std::string(name) + std::string(again) + std::to_string(number) + "\"]";
-}
-
-bool is_utf16(std::string_view text) {
-    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) return true;
-    return text.size() > 1 && (text[0] == '\0') != (text[1] == '\0');
 }
 
 /// Finds at most `most_faults` (>= 1) faults, and reads nothing after the last one. A table that is
@@ -133,7 +124,7 @@ SettingsTree settings_tree(std::string_view text, std::size_t most_faults) {
             const auto told = fault_alone(lines[at]);
             tree.faults.push_back({at + 1, told.value_or(std::string(error.description()))});
             const std::string better = repaired(lines[at], at);
-            const bool is_stuck = better == lines[at] || trimmed(lines[at]).empty();
+            const bool is_stuck = better == lines[at] || trimmed(lines[at], blanks).empty();
             if (is_stuck || tree.faults.size() >= most_faults) return tree;
             lines[at] = better;
             sound = joined(lines);

@@ -38,6 +38,19 @@ namespace touchline {
     return made;
 }
 
+/// Whether the text is UTF-16, by its first bytes. O(1).
+[[nodiscard]] inline bool is_utf16(std::string_view text) {
+    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) return true;
+    return text.size() > 1 && (text[0] == '\0') != (text[1] == '\0');
+}
+
+/// Returns the text without any of `blanks` at its ends; a view. O(n).
+[[nodiscard]] inline std::string_view trimmed(std::string_view text, std::string_view blanks) {
+    const auto first = text.find_first_not_of(blanks);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
 /// The number that the whole text is; nothing if it is none, or beyond a Number. O(n).
 template <class Number>
 [[nodiscard]] std::optional<Number> number_in(std::string_view text) {

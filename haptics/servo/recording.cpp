@@ -196,7 +196,7 @@ Recording make_recording(const Recorder& recorder, std::string profile,
     return recording;
 }
 
-std::vector<std::byte> encode(const Recording& recording) {
+std::vector<std::byte> bytes_of(const Recording& recording) {
     ByteWriter bytes;
     bytes.raw(magic);
     bytes.number(layout());
@@ -213,7 +213,7 @@ std::vector<std::byte> encode(const Recording& recording) {
     return bytes.take();
 }
 
-Result<Recording> decode(std::span<const std::byte> all) {
+Result<Recording> recording_of(std::span<const std::byte> all) {
     ByteReader bytes(all);
     if (bytes.raw_text(magic.size()) != magic) return refused("it does not begin like one");
     if (bytes.number<std::uint32_t>() != layout())

@@ -47,16 +47,16 @@ struct Recording {
                                        const std::vector<RecordedMap>& maps);
 
 /// O(size).
-[[nodiscard]] std::vector<std::byte> encode(const Recording& recording);
+[[nodiscard]] std::vector<std::byte> bytes_of(const Recording& recording);
 
 /// Computes the checksum that a recording's last eight bytes hold of all bytes before them. It
 /// guards against damage, not malice.
 [[nodiscard]] std::uint64_t checksum_of(std::span<const std::byte> bytes);
 
-/// Decodes any bytes. A file that is cut, damaged, of another version or not a recording gives a
+/// Reads any bytes. A file that is cut, damaged, of another version or not a recording gives a
 /// one-line error. Numbers may be anything; enumerations and sizes are checked. The start cannot be
 /// checked: run a recording again only if it comes from a machine of yours. O(size).
-[[nodiscard]] Result<Recording> decode(std::span<const std::byte> bytes);
+[[nodiscard]] Result<Recording> recording_of(std::span<const std::byte> bytes);
 
 /// Returns whether the outputs of two ticks are equal, bit for bit.
 [[nodiscard]] bool came_out_same(const TickRecord& a, const TickRecord& b);

@@ -15,13 +15,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::uint64_t checksum = checksum_of(bytes);
     const auto end = std::as_bytes(std::span(&checksum, 1));
     bytes.insert(bytes.end(), end.begin(), end.end());
-    const auto recording = decode(bytes);
+    const auto recording = recording_of(bytes);
     if (!recording) {
         const std::string& line = recording.error().line;
         if (line.empty() || line.find('\n') != std::string::npos) abort();
         return 0;
     }
     if (recording->start_tick > recording->ticks.size()) abort();
-    if (encode(*recording).size() != bytes.size()) abort();
+    if (bytes_of(*recording).size() != bytes.size()) abort();
     return 0;
 }

@@ -51,7 +51,7 @@ Result<std::string> write(const Recorder& recorder, const std::string& folder,
         std::error_code error;
         fs::create_directories(folder, error);
         const std::string path = next_file(folder);
-        return write_whole_file(path, encode(make_recording(recorder, profile, maps))).map([&] {
+        return write_whole_file(path, bytes_of(make_recording(recorder, profile, maps))).map([&] {
             fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write, error);
             return path;
         });

@@ -1,12 +1,12 @@
 #include "app/force/servo/usb_device.h"
 
 #include "app/force/servo/watched_board.h"
+#include "config/types/utf8.h"
 #include "haptics/device/usb_boards.h"
 #include "haptics/pantograph/profile.h"
 #include "haptics/servo/real_time.h"
 
 #include <array>
-#include <charconv>
 #include <memory>
 #include <optional>
 #include <thread>
@@ -23,11 +23,11 @@ void write_zero(void* device) noexcept {
     (void)static_cast<WatchedBoard*>(device)->end_in_zero();
 }
 
-/// Reads a number if it is the whole text.
 template <class Number>
 bool read_number(const std::string& text, Number& number) {
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    return error == std::errc() && end == text.data() + text.size();
+    const auto read = number_in<Number>(text);
+    number = read.value_or(number);
+    return read.has_value();
 }
 
 bool read_plugs(const std::string& text, Plugs& plugs) {

@@ -53,7 +53,7 @@ class Replay : public testing::Test {
     void TearDown() override { fs::remove_all(folder_); }
 
     int replay(const Recording& recording) {
-        EXPECT_TRUE(write_whole_file(box_, encode(recording)).has_value());
+        EXPECT_TRUE(write_whole_file(box_, bytes_of(recording)).has_value());
         return replay_file();
     }
 

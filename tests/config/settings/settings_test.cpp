@@ -2,6 +2,7 @@
 #include "config/settings/setting_rows.h"
 #include "config/settings/settings_text.h"
 
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -26,6 +27,21 @@ std::string full_key(const SettingRow& row) {
 std::string error_of(const std::string& text, SettingLayer layer = SettingLayer::site) {
     const auto settings = apply_settings({}, text, "site.toml", layer);
     return settings ? "no error" : settings.error().line;
+}
+
+/// The table as config/README.md shows it.
+std::string settings_as_markdown() {
+    constexpr std::array<std::string_view, 4> layers{"program", "site", "profile", "session"};
+    const Settings defaults;
+    std::string text =
+        "| setting | allowed | at first | up to | what it does |\n|---|---|---|---|---|\n";
+    for (const SettingRow& row : setting_rows()) {
+        text += "| `" + std::string(row.table) + '.' + std::string(row.key) + "` | " +
+                allowed_values(row) + " | " + value_in_words(defaults, row) + " | " +
+                std::string(layers[static_cast<std::size_t>(row.last_layer)]) + " | " +
+                std::string(row.name) + ": " + std::string(row.help) + " |\n";
+    }
+    return text;
 }
 
 TEST(SettingRows, HaveNamesThatAreTheirOwnAndTextsForTheEar) {

@@ -183,8 +183,8 @@ struct Session {
 
 TEST(Recording, RunAgainGivesTheSameBits) {
     const Session session(12'000, 31'000);  // overwrites the beginning
-    const auto bytes = encode(session.recording());
-    const auto recording = decode(bytes);
+    const auto bytes = bytes_of(session.recording());
+    const auto recording = recording_of(bytes);
     ASSERT_TRUE(recording.has_value()) << recording.error().line;
     ASSERT_EQ(recording->ticks.size(), 12'000U);
     const auto replay = run_again(*recording, Session::built_again);
@@ -234,9 +234,9 @@ TEST(Recording, AStartThatDoesNotFitIsRefused) {
 
 TEST(Recording, TheNumberOfTheLayoutFollowsFromTheBytesOfATick) {
     Recording recording;
-    const auto none = encode(recording);
+    const auto none = bytes_of(recording);
     recording.ticks.resize(1);
-    const std::size_t bytes_per_tick = encode(recording).size() - none.size();
+    const std::size_t bytes_per_tick = bytes_of(recording).size() - none.size();
     std::uint32_t layout = 0;
     std::memcpy(&layout, none.data() + 8, sizeof layout);
     EXPECT_EQ(layout, 3 + bytes_per_tick - 338);  // number 3 had 338 bytes
@@ -254,10 +254,10 @@ TEST(Recording, TheHashIsOfWhatCanBeFelt) {
 
 TEST(Recording, NothingButAWholeFileIsRead) {
     const Session session(50, 50);
-    const auto bytes = encode(session.recording());
-    ASSERT_TRUE(decode(bytes).has_value());
+    const auto bytes = bytes_of(session.recording());
+    ASSERT_TRUE(recording_of(bytes).has_value());
     for (std::size_t size = 0; size < bytes.size(); size += size < 600 ? 1 : 97) {
-        const auto cut = decode(std::span(bytes).first(size));
+        const auto cut = recording_of(std::span(bytes).first(size));
         ASSERT_FALSE(cut.has_value()) << size;
         ASSERT_EQ(cut.error().line.find('\n'), std::string::npos);
     }
@@ -265,7 +265,7 @@ TEST(Recording, NothingButAWholeFileIsRead) {
     for (int i = 0; i < 2000; ++i) {
         auto damaged = bytes;
         damaged[random() % damaged.size()] ^= static_cast<std::byte>(1U << random() % 8U);
-        ASSERT_FALSE(decode(damaged).has_value());
+        ASSERT_FALSE(recording_of(damaged).has_value());
     }
 }
 
@@ -286,15 +286,15 @@ TEST(Recording, DamageThatTheChecksumDoesNotShowIsReadOrRefusedAndRunsWithoutHar
     for (int i = 0; i < 60; ++i) {
         Recording strange = recording;
         strange.start.clear();
-        auto bytes = encode(strange);
+        auto bytes = bytes_of(strange);
         for (int k = 0; k < 20; ++k)
             bytes[100 + random() % (bytes.size() - 100)] = static_cast<std::byte>(random());
-        auto decoded = decode(signed_anew(std::move(bytes)));
-        if (!decoded) continue;
-        decoded->start = recording.start;
-        decoded->start_tick = recording.start_tick;
-        decoded->start_version = recording.start_version;
-        if (run_again(*decoded, Session::built_again)) ++run;
+        auto read_back = recording_of(signed_anew(std::move(bytes)));
+        if (!read_back) continue;
+        read_back->start = recording.start;
+        read_back->start_tick = recording.start_tick;
+        read_back->start_version = recording.start_version;
+        if (run_again(*read_back, Session::built_again)) ++run;
     }
     EXPECT_GT(run, 20);
     Recording zeroed = recording;

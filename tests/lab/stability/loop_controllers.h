@@ -3,6 +3,7 @@
 // Threads: one each.
 #pragma once
 
+#include "config/types/pinned.h"
 #include "haptics/device/force_device.h"
 #include "haptics/pantograph/profile.h"
 #include "tests/lab/stability/loop_scenarios.h"
@@ -29,17 +30,9 @@ struct ControlOutput {
     double stiffness_N_per_m = 0.0;
 };
 
-class LoopController {
+class LoopController : public Interface {
   public:
-    virtual ~LoopController() = default;
     virtual ControlOutput step(const ControlInput& input) = 0;
-
-  protected:
-    LoopController() = default;
-    LoopController(const LoopController&) = default;
-    LoopController(LoopController&&) = default;
-    LoopController& operator=(const LoopController&) = default;
-    LoopController& operator=(LoopController&&) = default;
 };
 
 struct LoopParameters {

@@ -58,7 +58,7 @@ class BlackBoxFiles : public testing::Test {
     }
 
     [[nodiscard]] Recording kept() const {
-        return decode(read_file(folder_ / "recording-1.touchline").value()).value();
+        return recording_of(read_file(folder_ / "recording-1.touchline").value()).value();
     }
 
     fs::path folder_ = fs::path(testing::TempDir()) /

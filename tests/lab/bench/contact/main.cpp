@@ -1,5 +1,6 @@
 // Writes contact.csv into a folder: what each renderer does on each torture geometry.
 #include "tests/haptics/contact/judge.h"
+#include "tests/haptics/tick.h"
 #include "tests/lab/bench/collision/report.h"
 #include "tests/lab/bench/contact/renderers.h"
 #include "tests/lab/bench/contact/torture.h"
@@ -27,7 +28,7 @@ Outcome press(Renderer& renderer, const Torture& torture, const Judge* judge) {
     Outcome outcome;
     Position before = plant.position();
     Force force_before;
-    for (std::size_t k = 0; static_cast<double>(k) * scenarios::tick_s < torture.end_s; ++k) {
+    for (std::size_t k = 0; static_cast<double>(k) * tick_s < torture.end_s; ++k) {
         const Position hand = plant.position();
         const Felt felt = renderer.step(hand);
         if (torture.is_through(before, felt.place)) ++outcome.let_through;
