@@ -36,16 +36,9 @@ std::string parse_area(const std::string& text, Area& area) {
 
 /// "auto" or a level >= 0, fractions allowed.
 std::string parse_level(const std::string& text, std::optional<double>& level) {
-    level.reset();
-    if (text == "auto") return "";
-    double value = 0.0;
-    const char* const last = text.data() + text.size();
-    const auto [end, error] = std::from_chars(text.data(), last, value);
-    if (error != std::errc{} || end != last || !(value >= 0.0 && value <= 1000.0)) {
-        return fmt::format("{} is no level; write auto or a number from 0 (finest)", text);
-    }
-    level = value;
-    return "";
+    level = number_in(text, 0.0, 1000.0);
+    if (level || text == "auto") return "";
+    return fmt::format("{} is no level; write auto or a number from 0 (finest)", text);
 }
 
 std::string parse_mode(const std::string& text, Mode& mode) {
@@ -73,13 +66,10 @@ std::string parse_class(const std::string& text, std::optional<PictureClass>& pi
 }
 
 /// A number from `low` to `largest`. Unlike the library's own range, it rejects NaN.
-CLI::Validator number_in(double low, double largest, bool is_low_allowed) {
+CLI::Validator number_within(double low, double largest, bool is_low_allowed) {
     return {[=](const std::string& text) {
-                double value = 0.0;
-                const char* const last = text.data() + text.size();
-                const auto [end, error] = std::from_chars(text.data(), last, value);
-                const bool is_good = error == std::errc{} && end == last && value <= largest &&
-                                     (is_low_allowed ? value >= low : value > low);
+                const auto value = number_in(text, low, largest);
+                const bool is_good = value && (is_low_allowed || *value > low);
                 return is_good ? std::string{}
                                : fmt::format("{} is not {} {} and at most {}", text,
                                              is_low_allowed ? "at least" : "above", low, largest);
@@ -88,11 +78,11 @@ CLI::Validator number_in(double low, double largest, bool is_low_allowed) {
 }
 
 CLI::Validator above_zero(double largest) {
-    return number_in(0.0, largest, false);
+    return number_within(0.0, largest, false);
 }
 
 CLI::Validator from_zero(double largest) {
-    return number_in(0.0, largest, true);
+    return number_within(0.0, largest, true);
 }
 
 CLI::Option* add_input(CLI::App& command, std::string& input, bool* as_picture) {

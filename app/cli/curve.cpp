@@ -2,7 +2,7 @@
 #include "app/cli/load.h"
 #include "app/documents/decode/files.h"
 #include "app/documents/decode/map_svg.h"
-#include "app/documents/trace/json.h"
+#include "app/documents/decode/one_line.h"
 #include "haptics/collision/scene.h"
 #include "haptics/curve/level_error.h"
 #include "haptics/pantograph/profile.h"

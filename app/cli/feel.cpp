@@ -17,12 +17,10 @@ namespace {
 constexpr double first_period_s = 1e-3;  // before the first row, and of a single one
 
 Result<std::vector<HandRow>> read_hand(const std::string& path, HandColumns columns) {
-    return read_file(path).and_then([&path, columns](const std::vector<std::byte>& bytes) {
-        // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes of a text
-        return parse_hand_csv({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, columns)
-            .map_error([&path](const Error& error) {
-                return Error{fmt::format("{}: {}", path, error.line)};
-            });
+    return read_text(path).and_then([&path, columns](const std::string& text) {
+        return parse_hand_csv(text, columns).map_error([&path](const Error& error) {
+            return Error{fmt::format("{}: {}", path, error.line)};
+        });
     });
 }
 

@@ -1,15 +1,15 @@
 #include "app/cli/load.h"
 
 #include "app/documents/decode/map_svg.h"
+#include "app/documents/decode/one_line.h"
 #include "app/documents/decode/opening.h"
 #include "app/documents/models/networks.h"
-#include "app/documents/trace/json.h"
 #include "app/documents/trace/page_views.h"
 #include "config/types/map_bytes.h"
+#include "config/types/utf8.h"
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <utility>
 #include <vector>
 
@@ -97,12 +97,9 @@ std::optional<ViewChoice> view_choice_of(const std::string& text) {
     constexpr int most_views = 101;
     if (text == "whole") return ViewChoice{ViewChoice::Kind::whole, 1};
     if (text == "figure") return ViewChoice{ViewChoice::Kind::figure, 1};
-    int number = 0;
-    const char* const end = text.data() + text.size();
-    const auto [read, error] = std::from_chars(text.data(), end, number);
-    if (error != std::errc() || read != end || number < 1 || number > most_views)
-        return std::nullopt;
-    return ViewChoice{ViewChoice::Kind::numbered, number};
+    const auto number = number_in(text, 1, most_views);
+    if (!number) return std::nullopt;
+    return ViewChoice{ViewChoice::Kind::numbered, *number};
 }
 
 Result<SeenView> open_view(const std::string& path, const ViewChoice& view, bool wants_things) {

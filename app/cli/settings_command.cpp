@@ -14,12 +14,6 @@
 namespace touchline {
 namespace {
 
-Result<std::string> text_in(const std::string& file) {
-    return read_file(file).map([](const std::vector<std::byte>& bytes) {
-        return std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    });
-}
-
 /// The languages of the catalogues; none if their folder cannot be read.
 std::vector<std::string> languages_that_there_are() {
     return languages_in(words_folder().string()).value_or(std::vector<std::string>{});
@@ -41,7 +35,7 @@ std::vector<std::string> run_settings(const SettingsCommandOptions& options, std
     const std::string file = is_named ? options.file : settings_files().site.string();
     std::error_code error;
     const bool is_missing = !is_named && !std::filesystem::exists(file, error) && !error;
-    const auto text = is_missing ? Result<std::string>("") : text_in(file);
+    const auto text = is_missing ? Result<std::string>("") : read_text(file);
     if (!text) return {text.error().line};
     auto faults = settings_faults(*text, file, SettingLayer::site, languages_that_there_are());
     if (!faults.empty()) return faults;

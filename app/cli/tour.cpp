@@ -2,7 +2,7 @@
 
 #include "app/cli/explorer.h"
 #include "app/cli/load.h"
-#include "app/documents/decode/png_writer.h"
+#include "app/documents/decode/picture.h"
 #include "app/force/servo/scene_order.h"
 #include "app/screen/tour_figure.h"
 #include "app/visit/proxy_radius.h"

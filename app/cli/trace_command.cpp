@@ -1,8 +1,8 @@
 #include "app/cli/commands.h"
 #include "app/documents/decode/files.h"
 #include "app/documents/decode/map_svg.h"
-#include "app/documents/decode/png_writer.h"
-#include "app/documents/trace/json.h"
+#include "app/documents/decode/one_line.h"
+#include "app/documents/decode/picture.h"
 #include "app/documents/trace/page_views.h"
 
 #include <fmt/format.h>

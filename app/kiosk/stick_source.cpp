@@ -1,7 +1,7 @@
 #include "app/kiosk/stick_source.h"
 
+#include "app/documents/decode/one_line.h"
 #include "app/documents/decode/opening.h"
-#include "app/documents/decode/side_car.h"
 #include "app/documents/sticks/import.h"
 #include "app/documents/sticks/names.h"
 #include "app/isolation/process/memory.h"
@@ -109,10 +109,7 @@ Result<Page> StickReader::open(const std::string& root, const StickEntry& entry,
     if (!bytes) return failure(sentence_of(bytes.error(), name));
     auto page = open_page((*bytes)->document.bytes(), order);
     if (!page) return failure(name + ": " + page.error().line);
-    if ((*bytes)->side_car) {
-        const auto text = (*bytes)->side_car->bytes();
-        tell(std::string_view(reinterpret_cast<const char*>(text.data()), text.size()), page->told);
-    }
+    if ((*bytes)->side_car) tell(as_text((*bytes)->side_car->bytes()), page->told);
     return page;
 }
 

@@ -2,10 +2,10 @@
 
 #include "app/documents/decode/files.h"
 #include "app/operator/settings_files.h"
+#include "config/types/utf8.h"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 
 namespace touchline {
 namespace {
@@ -41,11 +41,9 @@ std::string read_line(std::string_view line, Counters& counters) {
     if (equals == std::string_view::npos || row == counter_rows.end())
         return '\'' + std::string(name) + "' is no counter";
     const std::string_view number = without_blanks(line.substr(equals + 1));
-    std::uint64_t count = 0;
-    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), count);
-    if (error != std::errc{} || end != number.data() + number.size())
-        return '\'' + std::string(name) + "' must be a whole number from 0 on";
-    counters.*(row->count) = count;
+    const auto count = number_in<std::uint64_t>(number);
+    if (!count) return '\'' + std::string(name) + "' must be a whole number from 0 on";
+    counters.*(row->count) = *count;
     return {};
 }
 

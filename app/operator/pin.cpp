@@ -3,10 +3,10 @@
 #include "app/documents/decode/one_line.h"
 #include "app/isolation/process/descriptor.h"
 #include "app/operator/settings_files.h"
+#include "config/types/utf8.h"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <memory>
@@ -228,17 +228,14 @@ Result<int> read_pin_tries(const fs::path& file) {
     if (!is_private_there(file)) return 0;
     const auto text = read_private(file, longest_text);
     if (!text) return tl::unexpected(text.error());
-    int wrong = 0;
-    const std::string_view digits =
-        std::string_view(*text).substr(std::min(text->size(), begin_words.size()));
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), wrong);
-    const bool is_whole = text->starts_with(begin_words) && error == std::errc() &&
-                          end + 1 == digits.data() + digits.size() && *end == '\n';
-    if (!is_whole || wrong < 1 || wrong > most_wrong_pins)
+    const bool is_told = text->starts_with(begin_words) && text->ends_with('\n');
+    const auto digits = is_told ? std::string_view(*text).substr(begin_words.size()) : "\n";
+    const auto wrong = number_in(digits.substr(0, digits.size() - 1), 1, most_wrong_pins);
+    if (!wrong)
         return failure(one_line(file.string()) +
                        ": does not say how many wrong PINs there were; the PIN waits as long as it "
                        "can, and the next right one mends it");
-    return wrong;
+    return *wrong;
 }
 
 }  // namespace touchline

@@ -1,5 +1,6 @@
 #include "app/operator/profiles.h"
 
+#include "app/documents/decode/files.h"
 #include "app/isolation/process/places.h"
 #include "app/operator/settings_files.h"
 #include "config/settings/setting_rows.h"

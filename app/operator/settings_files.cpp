@@ -107,12 +107,6 @@ Result<void> keep_sound(const fs::path& file, const SoundSettings& sound) {
     return keep(file, text);
 }
 
-Result<std::string> read_text(const fs::path& file) {
-    return read_file(file.string()).map([](const std::vector<std::byte>& bytes) {
-        return std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    });
-}
-
 FileWatch::FileWatch(fs::path file) : file_(std::move(file)), seen_(look()) {}
 
 bool FileWatch::has_changed() {

@@ -58,9 +58,6 @@ struct KeptKeys {
 [[nodiscard]] Result<void> keep_sound(const std::filesystem::path& file,
                                       const SoundSettings& sound);
 
-/// The bytes of a file as text, at most 256 MiB.
-[[nodiscard]] Result<std::string> read_text(const std::filesystem::path& file);
-
 /// Notices that a file has changed, by its size, its time and its place on the disk.
 class FileWatch {
   public:

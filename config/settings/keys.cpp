@@ -1,11 +1,11 @@
 #include "config/settings/keys.h"
 
 #include "config/settings/settings_text.h"
+#include "config/types/utf8.h"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 
 #include <toml++/toml.h>
 
@@ -62,29 +62,13 @@ constexpr std::string_view what_keys_are =
     "a letter, a digit, \"up\", \"page up\", \"enter\", \"space\", \"F13\", \"volume up\", "
     "\"scancode 123\", \"joystick 0\" or \"handle 0\"";
 
-std::string lower(std::string_view text) {
-    std::string small;
-    for (const char letter : text)
-        small += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-    return small;
-}
-
-std::optional<std::uint32_t> number_in(std::string_view text, std::uint32_t least,
-                                       std::uint32_t most) {
-    std::uint32_t number = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    const bool is_whole = error == std::errc{} && end == text.data() + text.size();
-    if (!is_whole || number < least || number > most) return std::nullopt;
-    return number;
-}
-
 constexpr std::uint32_t first_function_key = static_cast<std::uint32_t>(Key::f1);
 constexpr std::uint32_t function_keys = 24;
 static_assert(static_cast<std::uint32_t>(Key::f24) == first_function_key + function_keys - 1);
 
 std::optional<PhysicalKey> function_key(std::string_view name) {
     if (name.size() < 2 || name.front() != 'f') return std::nullopt;
-    const auto number = number_in(name.substr(1), 1, function_keys);
+    const auto number = number_in<std::uint32_t>(name.substr(1), 1, function_keys);
     if (!number) return std::nullopt;
     return PhysicalKey{KeySource::key, first_function_key + *number - 1};
 }
@@ -215,7 +199,7 @@ std::string name_of(const PhysicalKey& key) {
 }
 
 std::optional<PhysicalKey> key_named(std::string_view name) {
-    const std::string small = lower(name);
+    const std::string small = in_small_letters(name);
     for (const NamedKey& named : named_keys)
         if (named.name == small)
             return PhysicalKey{KeySource::key, static_cast<std::uint32_t>(named.key)};

@@ -1,9 +1,13 @@
-// Text from outside: strict UTF-8, and one harmless line of it. Threads: pure functions.
+// Text from outside: strict UTF-8, one harmless line of it, and the number that it is.
+// Threads: pure functions.
 #pragma once
 
+#include <charconv>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 namespace touchline {
 
@@ -25,5 +29,29 @@ namespace touchline {
 /// (newline, ESC, the 8-bit ones), separator of lines, and mark that turns the direction of writing
 /// or shows nothing; and '?' for what is not UTF-8. O(n).
 [[nodiscard]] std::string plain_line(std::string_view text);
+
+/// Capitals of ASCII become small; other bytes stay as they are, whatever the locale. O(n).
+[[nodiscard]] inline std::string in_small_letters(std::string_view text) {
+    std::string made(text);
+    for (char& c : made)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return made;
+}
+
+/// The number that the whole text is; nothing if it is none, or beyond a Number. O(n).
+template <class Number>
+[[nodiscard]] std::optional<Number> number_in(std::string_view text) {
+    Number number{};
+    const char* const end = text.data() + text.size();
+    const auto [at, error] = std::from_chars(text.data(), end, number);
+    return error == std::errc() && at == end ? std::optional(number) : std::nullopt;
+}
+
+/// The same for a number from `least` to `most`; NaN is none.
+template <class Number>
+[[nodiscard]] std::optional<Number> number_in(std::string_view text, Number least, Number most) {
+    const auto number = number_in<Number>(text);
+    return number && *number >= least && *number <= most ? number : std::nullopt;
+}
 
 }  // namespace touchline

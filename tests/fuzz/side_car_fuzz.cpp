@@ -1,7 +1,7 @@
 // Any text beside a picture gives lines without control characters, of bounded length; any file has
 // a kind.
 #include "app/documents/decode/file_format.h"
-#include "app/documents/decode/side_car.h"
+#include "app/documents/decode/opening.h"
 
 #include <algorithm>
 #include <cstddef>

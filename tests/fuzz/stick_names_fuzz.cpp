@@ -1,5 +1,5 @@
 // Any bytes give a name that can be shown, said and sorted without harm.
-#include "app/documents/decode/side_car.h"
+#include "app/documents/decode/opening.h"
 #include "app/documents/sticks/first_letters.h"
 #include "app/documents/sticks/listing.h"
 #include "app/documents/sticks/names.h"

@@ -1,6 +1,6 @@
 // Any answer of touchline-unpack gives a sound answer or none.
 #include "app/documents/packs/plain_names.h"
-#include "app/documents/packs/unpack_answer.h"
+#include "app/documents/packs/unpack_work.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,8 +1,8 @@
 // Any bytes that a worker gives to another, or gets from the kiosk, are the value that they should
 // be or are refused: found lines, main things, a grey picture, a camera's frame. The first byte
 // says which.
-#include "app/documents/trace/main_things.h"
-#include "app/documents/trace/worker_values.h"
+#include "app/documents/trace/finding_things.h"
+#include "app/documents/trace/traced.h"
 
 #include <algorithm>
 #include <cmath>

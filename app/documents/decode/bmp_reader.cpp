@@ -3,7 +3,8 @@
 // runs inside the sandbox. OS/2 has arrays of bitmaps, each for another screen, and icons and
 // pointers: a bitmap of colours behind one of masks, or masks alone.
 #include "app/documents/decode/bmp_header.h"
-#include "app/documents/decode/shrinking.h"
+#include "app/documents/decode/formats.h"
+#include "app/documents/decode/one_line.h"
 
 #include <algorithm>
 #include <array>
@@ -233,8 +234,7 @@ struct Entry {
 
 /// True if a file header of this kind begins there.
 bool begins(Bytes bytes, std::size_t at, std::string_view letters) {
-    if (at + 2 > bytes.size()) return false;
-    return letters == std::string_view(reinterpret_cast<const char*>(bytes.data()) + at, 2);
+    return at + 2 <= bytes.size() && as_text(bytes).substr(at, 2) == letters;
 }
 
 Result<Entry> entry_at(Bytes bytes, std::size_t at) {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/documents/decode/picture.h"
-#include "app/isolation/process/owned.h"
+#include "app/isolation/process/descriptor.h"
 
 #include <cairo.h>
 #include <glib.h>

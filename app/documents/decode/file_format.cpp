@@ -2,6 +2,7 @@
 
 #include "app/documents/decode/one_line.h"
 #include "app/documents/decode/page.h"
+#include "config/types/utf8.h"
 
 namespace touchline {
 namespace {
@@ -100,11 +101,6 @@ FileFormat packed_format(Bytes bytes) {
 constexpr int least_dpi = 30;
 constexpr int most_dpi = 600;
 
-bool read_number(const std::string& text, int least, int most, int& number) {
-    number = number_in<int>(text).value_or(least - 1);
-    return number >= least && number <= most;
-}
-
 }  // namespace
 
 FileFormat format_of(Bytes bytes) {
@@ -153,15 +149,13 @@ std::vector<std::string> arguments_of(const DecodeWork& work) {
 }
 
 Result<DecodeWork> work_in(std::span<const std::string> arguments) {
-    DecodeWork work;
-    int kind = 0;
-    const bool is_read = arguments.size() == 3 &&
-                         read_number(arguments[0], 0, worker_kind_count - 1, kind) &&
-                         read_number(arguments[1], 1, max_pages, work.order.page) &&
-                         read_number(arguments[2], least_dpi, most_dpi, work.order.dpi);
-    if (!is_read) return failure("not what the kiosk starts it with");
-    work.kind = static_cast<WorkerKind>(kind);
-    return work;
+    const auto wrong = failure("not what the kiosk starts it with");
+    if (arguments.size() != 3) return wrong;
+    const auto kind = number_in(arguments[0], 0, worker_kind_count - 1);
+    const auto page = number_in(arguments[1], 1, max_pages);
+    const auto dpi = number_in(arguments[2], least_dpi, most_dpi);
+    if (!kind || !page || !dpi) return wrong;
+    return DecodeWork{static_cast<WorkerKind>(*kind), {*page, *dpi}};
 }
 
 }  // namespace touchline

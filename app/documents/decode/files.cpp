@@ -87,6 +87,11 @@ Result<std::vector<std::byte>> read_file(const std::string& path) {
     return bytes;
 }
 
+Result<std::string> read_text(const std::string& path) {
+    return read_file(path).map(
+        [](const std::vector<std::byte>& bytes) { return std::string(as_text(bytes)); });
+}
+
 void flush_folder(const std::filesystem::path& folder) {
     const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (opened.is_open()) ::fsync(opened.number());

@@ -20,6 +20,9 @@ constexpr std::size_t max_file_bytes = std::size_t{256} << 20U;
 /// is larger than max_file_bytes. O(size).
 [[nodiscard]] Result<std::vector<std::byte>> read_file(const std::string& path);
 
+/// The same as text.
+[[nodiscard]] Result<std::string> read_text(const std::string& path);
+
 /// Writes the file whole or not at all: writes a temporary file beside it, flushes it to the disk,
 /// then renames it over the file. If that fails, the old file, if any, stays as it was. Follows a
 /// link. Writes straight to anything that is no regular file (/dev/stdout, a pipe). O(size).

@@ -1,7 +1,7 @@
 // Words that were read in the pixels of a page without text of its own, and how they join the page.
 // Reading takes seconds, so a page is felt first and gets its labels when they are ready:
 //
-//   if (needs_reading(page)) ... words = read_words(page.picture) (words_in_picture.h) ...
+//   if (needs_reading(page)) ... words = read_words(page.picture) (opening.h) ...
 //   page = with_words(std::move(page), *words);
 //
 // Threads: values and pure functions.

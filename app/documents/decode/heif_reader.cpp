@@ -1,9 +1,9 @@
 // HEIC (telephones) and AVIF, through libheif. It turns pictures upright itself, and decodes the
 // whole picture at once, so a large one is made smaller afterwards.
 #include "app/documents/decode/formats.h"
-#include "app/documents/decode/shrinking.h"
+#include "app/documents/decode/one_line.h"
 #include "app/documents/decode/worker_program.h"
-#include "app/isolation/process/owned.h"
+#include "app/isolation/process/descriptor.h"
 
 #include <algorithm>
 #include <array>
@@ -19,9 +19,7 @@ using HeifHandle = Owned<heif_image_handle, heif_image_handle_release>;
 
 /// The first box names it.
 std::string_view name_of(Bytes bytes) {
-    const auto head = bytes.first(std::min<std::size_t>(bytes.size(), 12));
-    const std::string_view text(reinterpret_cast<const char*>(head.data()), head.size());
-    return text.ends_with("avif") ? "AVIF" : "HEIC";
+    return as_text(bytes).substr(0, 12).ends_with("avif") ? "AVIF" : "HEIC";
 }
 
 tl::unexpected<Error> broken(const heif_error& error, std::string_view name) {

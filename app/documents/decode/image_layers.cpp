@@ -1,8 +1,6 @@
-#include "app/documents/decode/image_layers.h"
 
 #include "app/documents/decode/map_svg.h"
 #include "app/documents/decode/svg_nodes.h"
-#include "app/documents/decode/svg_numbers.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 #include "app/documents/decode/formats.h"
-#include "app/documents/decode/shrinking.h"
+#include "config/types/pinned.h"
 
 #include <algorithm>
 #include <array>
@@ -66,7 +66,7 @@ bool run(ErrorCallbacks& errors, const Step& step) {
     return true;
 }
 
-class Decoder : public jpeg_decompress_struct {
+class Decoder : public jpeg_decompress_struct, Pinned {
   public:
     Decoder() : jpeg_decompress_struct{} {
         err = jpeg_std_error(&errors.base);
@@ -74,11 +74,6 @@ class Decoder : public jpeg_decompress_struct {
         errors.base.emit_message = note_warning;
         progress_.progress_monitor = limit_scans;
     }
-
-    Decoder(const Decoder&) = delete;
-    Decoder(Decoder&&) = delete;
-    Decoder& operator=(const Decoder&) = delete;
-    Decoder& operator=(Decoder&&) = delete;
 
     ~Decoder() { jpeg_destroy_decompress(this); }
 

@@ -1,6 +1,5 @@
-#include "app/documents/decode/machine_words.h"
-
-#include "app/documents/decode/one_line.h"
+#include "app/documents/decode/formats.h"
+#include "config/types/utf8.h"
 
 #include <algorithm>
 #include <array>

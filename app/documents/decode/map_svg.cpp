@@ -3,7 +3,6 @@
 #include "app/documents/decode/files.h"
 #include "app/documents/decode/one_line.h"
 #include "app/documents/decode/svg_nodes.h"
-#include "app/documents/decode/svg_numbers.h"
 #include "app/documents/decode/svg_shapes.h"
 
 #include <algorithm>

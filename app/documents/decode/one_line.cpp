@@ -1,6 +1,9 @@
 #include "app/documents/decode/one_line.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include <fmt/core.h>
 
 namespace touchline {
 namespace {
@@ -61,6 +64,25 @@ std::string one_spaced(std::string_view text, std::size_t most_bytes) {
     }
     if (line.ends_with(' ')) line.pop_back();
     return line;
+}
+
+std::string json_string(std::string_view text) {
+    std::string out = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') {
+            out += '\\';
+            out += c;
+        } else if (static_cast<unsigned char>(c) < 0x20) {
+            out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+        } else {
+            out += c;
+        }
+    }
+    return out + "\"";
+}
+
+std::string json_number(double value) {
+    return std::isfinite(value) ? fmt::format("{}", value) : "null";
 }
 
 }  // namespace touchline

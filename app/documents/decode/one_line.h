@@ -1,14 +1,11 @@
-// Text from outside (paths, ids, messages of libraries): made fit for an Error's single line, and
-// compared. Threads: pure functions. O(n).
+// Text from outside (paths, ids, messages of libraries): made fit for an Error's single line or for
+// JSON. Threads: pure functions. O(n).
 #pragma once
 
-#include <charconv>
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <system_error>
 
 namespace touchline {
 
@@ -21,26 +18,15 @@ namespace touchline {
 /// `most_bytes`.
 [[nodiscard]] std::string one_spaced(std::string_view text, std::size_t most_bytes);
 
-/// Capitals of ASCII become small; other bytes stay as they are, whatever the locale.
-[[nodiscard]] inline std::string in_small_letters(std::string_view text) {
-    std::string made(text);
-    for (char& c : made)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return made;
-}
-
-/// The number that the whole text is; nothing if it is none, or beyond a Number. O(n).
-template <class Number>
-[[nodiscard]] std::optional<Number> number_in(std::string_view text) {
-    Number number{};
-    const char* const end = text.data() + text.size();
-    const auto [at, error] = std::from_chars(text.data(), end, number);
-    return error == std::errc() && at == end ? std::optional(number) : std::nullopt;
-}
-
 /// The same bytes as characters; a view. O(1).
 [[nodiscard]] inline std::string_view as_text(std::span<const std::byte> bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
+
+/// The text as a JSON string, quotes included.
+[[nodiscard]] std::string json_string(std::string_view text);
+
+/// The shortest number that reads back to the same bits; null if it is not finite.
+[[nodiscard]] std::string json_number(double value);
 
 }  // namespace touchline

@@ -3,7 +3,6 @@
 #include "app/documents/decode/files.h"
 #include "app/documents/decode/one_line.h"
 #include "app/documents/decode/picture.h"
-#include "app/documents/decode/side_car.h"
 #include "app/isolation/process/memory.h"
 #include "app/isolation/process/places.h"
 #include "app/isolation/sandbox/worker.h"
@@ -29,8 +28,7 @@ void add_side_car(const std::string& path, Page& page) {
     const std::string beside = side_car_of(path);
     const auto size = std::filesystem::file_size(beside, error);
     if (error || size > max_side_car_bytes) return;
-    const auto text = read_file(beside);
-    if (text) tell(as_text(*text), page.told);
+    if (const auto text = read_text(beside)) tell(*text, page.told);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "app/documents/decode/formats.h"
 #include "app/documents/decode/picture.h"
+#include "config/types/pinned.h"
 
 #include <cstdint>
 #include <memory>
@@ -57,13 +58,11 @@ void prepare_pdf();
 
 /// A document through poppler's interpreter. poppler-glib tells neither where a turned image lies,
 /// nor which way letters run, nor whether they are visible.
-class PdfProgram {
+class PdfProgram : Pinned {
   public:
     /// The bytes must outlive it.
     explicit PdfProgram(Bytes pdf);
     ~PdfProgram();
-    PdfProgram(const PdfProgram&) = delete;
-    PdfProgram& operator=(const PdfProgram&) = delete;
 
     /// The length of the page's unit in 1/72 inch; 1 if the page does not say, or not sensibly.
     [[nodiscard]] double user_unit(int page);

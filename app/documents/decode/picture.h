@@ -1,5 +1,5 @@
-// A picture in memory, and the limits of its size.
-// Threads: a value.
+// A picture in memory, the limits of its size, and as a file.
+// Threads: a value; any thread may read and write files.
 #pragma once
 
 #include "config/types/result.h"
@@ -65,5 +65,18 @@ constexpr int svg_longer_side_px = 1600;
 /// The first page of a file as a picture, opened by a worker (opening.h). Errors start with the
 /// path.
 [[nodiscard]] Result<Picture> read_picture(const std::string& path);
+
+/// Pictures that the program makes (edge strength, tours, screenshots) are written as PNG. This is
+/// a view of an 8-bit grey one, rows from the top, tightly packed.
+struct GreyView {
+    int width = 0;
+    int height = 0;
+    std::span<const std::uint8_t> pixels;  // width x height
+};
+
+/// Writes the file whole or not at all (app/documents/decode/files.h). Fails if the pixels do not
+/// fill width x height >= 1, or the file cannot be written. O(pixels).
+[[nodiscard]] Result<void> write_png(const std::string& path, const Picture& picture);
+[[nodiscard]] Result<void> write_png(const std::string& path, const GreyView& picture);
 
 }  // namespace touchline

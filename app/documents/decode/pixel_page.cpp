@@ -2,8 +2,7 @@
 // file says beside its pixels, read by libexiv2 (whose XMP reader has state: one thread at a time).
 #include "app/documents/decode/exiv2_generations.h"
 #include "app/documents/decode/formats.h"
-#include "app/documents/decode/machine_words.h"
-#include "app/isolation/process/owned.h"
+#include "app/isolation/process/descriptor.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // PNG, row by row. Uses the lower of libpng's two interfaces, because the simpler one holds the
 // whole picture.
 #include "app/documents/decode/formats.h"
-#include "app/documents/decode/shrinking.h"
+#include "config/types/pinned.h"
 
 #include <array>
 #include <csetjmp>
@@ -44,7 +44,7 @@ bool run(PngSource& source, const Step& step) {
     return true;
 }
 
-class Reader {
+class Reader : Pinned {
   public:
     explicit Reader(Bytes bytes)
         : source{bytes, {}, {}},
@@ -55,11 +55,6 @@ class Reader {
             throw std::bad_alloc();
         }
     }
-
-    Reader(const Reader&) = delete;
-    Reader(Reader&&) = delete;
-    Reader& operator=(const Reader&) = delete;
-    Reader& operator=(Reader&&) = delete;
 
     ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
 

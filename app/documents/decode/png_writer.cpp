@@ -1,7 +1,6 @@
-#include "app/documents/decode/png_writer.h"
-
 #include "app/documents/decode/files.h"
 #include "app/documents/decode/one_line.h"
+#include "app/documents/decode/picture.h"
 
 #include <vector>
 

@@ -30,12 +30,10 @@ Result<void> check(std::string_view format, std::int64_t width, std::int64_t hei
                     format, width, height, most / megapixel, most_side_px));
 }
 
-constexpr int kAlike = 40;  // grey levels: a smaller difference from the background is invisible
-constexpr double kUnseen = 0.97;  // if more of what is painted is near white, nothing would be seen
-
-int lightness_of(const std::uint8_t* bgr) {
-    return (29 * bgr[0] + 150 * bgr[1] + 77 * bgr[2]) / 256;
-}
+constexpr int most_alike =
+    40;  // grey levels: a smaller difference from the background is invisible
+constexpr double least_unseen =
+    0.97;  // if more of what is painted is near white, nothing would be seen
 
 /// White, as paper is; black if nearly everything painted is white, and something shows through.
 unsigned ground_for(const std::vector<std::uint8_t>& bgra) {
@@ -45,12 +43,12 @@ unsigned ground_for(const std::vector<std::uint8_t>& bgra) {
     for (std::size_t i = 0; i + 3 < bgra.size(); i += 4) {
         const unsigned alpha = bgra[i + 3];
         painted += alpha;
-        if (255 - lightness_of(&bgra[i]) < kAlike) unseen += alpha;
-        if (alpha < 255 - kAlike) ++open;
+        if (255 - lightness_of(&bgra[i]) < most_alike) unseen += alpha;
+        if (alpha < 255 - most_alike) ++open;
     }
     const bool is_unseen =
         open > 0 && static_cast<double>(unseen) >
-                        kUnseen * static_cast<double>(std::max<std::uint64_t>(painted, 1));
+                        least_unseen * static_cast<double>(std::max<std::uint64_t>(painted, 1));
     return is_unseen ? 0U : 255U;
 }
 

@@ -1,4 +1,3 @@
-#include "app/documents/decode/shrinking.h"
 
 #include "app/documents/decode/formats.h"
 

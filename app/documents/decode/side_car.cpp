@@ -1,6 +1,5 @@
-#include "app/documents/decode/side_car.h"
-
 #include "app/documents/decode/one_line.h"
+#include "app/documents/decode/opening.h"
 #include "config/types/utf8.h"
 
 #include <array>

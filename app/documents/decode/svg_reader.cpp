@@ -2,8 +2,8 @@
 // has no scripts, animation or network, and it bounds its own nesting.
 #include "app/documents/decode/drawing_surface.h"
 #include "app/documents/decode/formats.h"
-#include "app/documents/decode/machine_words.h"
 #include "app/documents/decode/map_svg.h"
+#include "app/documents/decode/one_line.h"
 #include "app/documents/decode/page.h"
 #include "app/documents/decode/svg_nodes.h"
 #include "app/documents/decode/svg_survey.h"
@@ -167,10 +167,7 @@ Result<std::string> narrowed(std::string_view text) {
 /// converts UTF-16 to UTF-8 and drops its declaration. Fails with one line if the file is damaged,
 /// is more than 64 MB unpacked, or is no SVG. O(text).
 Result<std::string> svg_text(Bytes bytes) {
-    Result<std::string> text =
-        is_packed(bytes) ? unpacked(bytes)
-                         : Result<std::string>(std::string(
-                               reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+    Result<std::string> text = is_packed(bytes) ? unpacked(bytes) : std::string(as_text(bytes));
     if (!text) return text;
     const Bytes unpacked_bytes = std::as_bytes(std::span(*text));
     if (is_packed(unpacked_bytes) || format_of(unpacked_bytes) != FileFormat::svg)
@@ -205,11 +202,11 @@ std::optional<Framing> framing_of_unsized(RsvgHandle* handle) {
         const RsvgRectangle whole{0.0, 0.0, box.width, box.height};
         return Framing{whole, whole};
     }
-    constexpr double kMargin = 0.03;
+    constexpr double margin_share = 0.03;
     RsvgRectangle ink{};
     if (rsvg_handle_get_geometry_for_element(handle, nullptr, &ink, nullptr, nullptr) == 0)
         return std::nullopt;
-    const double margin = kMargin * std::max(ink.width, ink.height);
+    const double margin = margin_share * std::max(ink.width, ink.height);
     return Framing{
         {0.0, 0.0, ink.x + ink.width, ink.y + ink.height},
         {ink.x - margin, ink.y - margin, ink.width + 2.0 * margin, ink.height + 2.0 * margin}};
@@ -276,8 +273,8 @@ Result<Page> read_svg(Bytes bytes, const PageOrder& order) {
     const Owned<RsvgHandle, g_object_unref> handle(rsvg_handle_new_from_data(
         reinterpret_cast<const guint8*>(source.svg.data()), source.svg.size(), &problem));
     if (handle == nullptr) return told(GlibError(problem));
-    constexpr double kPixelsPerInch = 96.0;  // as in CSS
-    rsvg_handle_set_dpi(handle.get(), kPixelsPerInch);
+    constexpr double pixels_per_inch = 96.0;  // as in CSS
+    rsvg_handle_set_dpi(handle.get(), pixels_per_inch);
     const auto framing = framing_of(handle.get());
     if (!framing) return damaged("SVG", "nothing is painted, or it has no size");
     if (auto fits = check_size("SVG", framing->width_px(), framing->height_px()); !fits)

@@ -2,7 +2,7 @@
 // and curves into polylines, in millimetres of the viewBox. Threads: one tracer, one thread.
 #pragma once
 
-#include "app/documents/decode/svg_numbers.h"
+#include "app/documents/decode/svg_nodes.h"
 #include "config/types/result.h"
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 #include "app/documents/decode/svg_survey.h"
 
-#include "app/documents/decode/one_line.h"
 #include "app/documents/decode/svg_nodes.h"
+#include "config/types/utf8.h"
 
 #include <algorithm>
 #include <array>

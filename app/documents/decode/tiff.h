@@ -4,7 +4,7 @@
 #pragma once
 
 #include "app/documents/decode/formats.h"
-#include "app/isolation/process/owned.h"
+#include "app/isolation/process/descriptor.h"
 
 #include <array>
 #include <cstdarg>

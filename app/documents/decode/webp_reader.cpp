@@ -1,5 +1,4 @@
 #include "app/documents/decode/formats.h"
-#include "app/documents/decode/shrinking.h"
 
 #include <new>
 #include <utility>

@@ -1,5 +1,7 @@
 #include "app/documents/decode/word_reader.h"
 
+#include "app/documents/decode/formats.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -93,11 +95,7 @@ OwnedPix grey_of(const Picture& picture) {
     for (int y = 0; y < picture.height; ++y) {
         l_uint32* const line = pixGetData(grey.get()) + std::ptrdiff_t{y} * pixGetWpl(grey.get());
         for (int x = 0; x < picture.width; ++x, at += 3) {
-            constexpr unsigned blue = 29;
-            constexpr unsigned green = 150;
-            constexpr unsigned red = 77;
-            const unsigned bright = (blue * at[0] + green * at[1] + red * at[2]) >> 8U;
-            SET_DATA_BYTE(line, x, static_cast<l_uint8>(bright));
+            SET_DATA_BYTE(line, x, static_cast<l_uint8>(decode::lightness_of(at)));
         }
     }
     return grey;

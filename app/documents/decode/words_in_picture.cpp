@@ -1,5 +1,4 @@
-#include "app/documents/decode/words_in_picture.h"
-
+#include "app/documents/decode/opening.h"
 #include "app/isolation/process/memory.h"
 #include "app/isolation/process/places.h"
 #include "app/isolation/sandbox/worker.h"

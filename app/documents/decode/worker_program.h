@@ -57,6 +57,10 @@ struct Decoder {
     Result<Page> (*decode)(std::span<const std::byte> bytes, const PageOrder& order) = nullptr;
 };
 
+inline constexpr Decoder raster_decoder{nullptr, decode_raster};
+inline constexpr Decoder heif_decoder{prepare_heif, decode_heif};
+inline constexpr Decoder document_decoder{prepare_documents, decode_document};
+
 /// The main() of a decoder. Does not return.
 [[noreturn]] void run_decode_program(const Decoder& decoder, int argc, char** argv);
 

@@ -31,12 +31,11 @@ Result<std::vector<std::string>> maps_in(const std::string& folder) {
 }
 
 Result<GalleryEntry> entry_of(const std::string& path, const LanguageTag& language) {
-    const auto bytes = read_file(path);
-    if (!bytes) return tl::unexpected(bytes.error());
-    const std::string_view text{reinterpret_cast<const char*>(bytes->data()), bytes->size()};
-    auto map = parse_map_svg(text, language);
+    const auto text = read_text(path);
+    if (!text) return tl::unexpected(text.error());
+    auto map = parse_map_svg(*text, language);
     if (!map) return failure(one_line(path) + ": " + map.error().line);
-    const auto difficulty = difficulty_of_map_svg(text);
+    const auto difficulty = difficulty_of_map_svg(*text);
     if (!difficulty) return failure(one_line(path) + ": " + difficulty.error().line);
     return GalleryEntry{path, std::move(map->title), std::move(map->description), *difficulty};
 }

@@ -2,7 +2,7 @@
 
 #include "app/documents/decode/files.h"
 #include "app/isolation/process/child.h"
-#include "app/isolation/process/owned.h"
+#include "app/isolation/process/descriptor.h"
 #include "app/isolation/process/places.h"
 
 #include <algorithm>

@@ -3,7 +3,6 @@
 // any, each call by itself.
 #pragma once
 
-#include "app/documents/trace/joined.h"
 #include "config/types/result.h"
 
 #include <cstddef>
@@ -69,7 +68,16 @@ struct Network {
 [[nodiscard]] Result<void> install_network(const Network& network,
                                            std::span<const std::byte> bytes);
 
-/// The networks that look at a photograph.
+/// The networks that look at a photograph: the bytes of their files, which lie elsewhere.
+struct PictureNetworks {
+    std::span<const std::byte> figure = {};  // empty: it is not installed
+    std::span<const std::byte> names = {};
+    std::span<const std::byte> faces = {};
+    std::span<const std::byte> meshes = {};
+    std::span<const std::byte> persons = {};
+};
+
+/// The same with the bytes in it.
 struct PictureNetworkFiles {
     std::vector<std::byte> figure;  // empty: not installed
     std::vector<std::byte> names;

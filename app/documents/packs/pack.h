@@ -227,7 +227,7 @@ inline constexpr const char* pack_table_name = "pack.toml";
 
 /// Reads a folder and writes it as a zip file for other people (zip_of() of unpacking.h), whole or
 /// not at all. With a language, every picture becomes a layered picture of the IMAGE project in it
-/// (image_layers.h); everything else stays as it was.
+/// (map_svg.h); everything else stays as it was.
 [[nodiscard]] PackResult<void> export_pack(const std::string& folder, const std::string& zip_file,
                                            const std::string& image_language = {});
 

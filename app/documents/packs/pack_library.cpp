@@ -5,6 +5,7 @@
 #include "app/documents/packs/plain_names.h"
 #include "app/documents/packs/unpacking.h"
 #include "app/isolation/process/places.h"
+#include "config/types/utf8.h"
 
 #include <algorithm>
 #include <cerrno>

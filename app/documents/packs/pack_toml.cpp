@@ -55,8 +55,8 @@ std::optional<PackVersion> version_in(std::string_view text) {
     int* const places[]{&version.major, &version.minor, &version.patch};
     for (int* place : places) {
         const auto dot = std::min(text.find('.'), text.size());
-        const auto number = number_in<int>(text.substr(0, dot));
-        if (!number || *number < 0 || *number > 9999) return std::nullopt;
+        const auto number = number_in(text.substr(0, dot), 0, 9999);
+        if (!number) return std::nullopt;
         *place = *number;
         if (dot == text.size()) return version;
         text.remove_prefix(dot + 1);
@@ -305,13 +305,9 @@ std::string text_of(const PackVersion& version) {
 }
 
 const std::string& title_in(const PackInfo& info, const std::string& language) {
-    const auto of = [&](const std::string& wanted) {
-        return std::ranges::find_if(info.title, [&](const LanguageText& title) {
-            return in_small_letters(title.language) == in_small_letters(wanted);
-        });
-    };
-    if (const auto found = of(language); found != info.title.end()) return found->text;
-    if (const auto found = of(""); found != info.title.end()) return found->text;
+    for (const std::string& wanted : {in_small_letters(language), std::string()})
+        for (const LanguageText& title : info.title)
+            if (in_small_letters(title.language) == wanted) return title.text;
     return info.title.front().text;
 }
 

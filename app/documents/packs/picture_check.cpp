@@ -1,7 +1,5 @@
-#include "app/documents/decode/image_layers.h"
 #include "app/documents/decode/map_svg.h"
 #include "app/documents/decode/svg_survey.h"
-#include "app/documents/packs/tactile_spacing.h"
 #include "app/documents/packs/unpack_work.h"
 #include "config/types/map_bytes.h"
 #include "vision/simplify/detail_limits.h"

@@ -1,7 +1,7 @@
 #include "app/documents/decode/one_line.h"
 #include "app/documents/packs/plain_names.h"
 #include "app/documents/packs/unpack_work.h"
-#include "app/isolation/process/owned.h"
+#include "app/isolation/process/descriptor.h"
 #include "audio-cues/speech/resampler.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "app/documents/packs/tactile_spacing.h"
+#include "app/documents/packs/unpack_work.h"
 
 #include <algorithm>
 #include <array>
@@ -143,8 +143,7 @@ std::vector<NearLines> near_lines(const TactileMap& map, std::size_t most) {
     for (const auto& [pair, nearness] : pairs)
         if (nearness.gap_m < least_gap_m && nearness.meetings.size() < most_meetings)
             near.push_back({pair.first, pair.second, nearness.gap_m});
-    std::ranges::sort(near,
-                      [](const NearLines& a, const NearLines& b) { return a.gap_m < b.gap_m; });
+    std::ranges::sort(near, {}, &NearLines::gap_m);
     if (near.size() > most) near.resize(most);
     return near;
 }

@@ -1,7 +1,6 @@
-#include "app/documents/packs/unpack_answer.h"
-
 #include "app/documents/decode/one_line.h"
 #include "app/documents/packs/plain_names.h"
+#include "app/documents/packs/unpack_work.h"
 #include "config/types/fields.h"
 #include "config/types/utf8.h"
 

@@ -3,7 +3,6 @@
 #include "app/documents/decode/one_line.h"
 #include "app/documents/decode/worker_program.h"
 #include "app/documents/packs/pack.h"
-#include "app/documents/packs/unpack_answer.h"
 #include "app/documents/packs/unpack_work.h"
 
 #include <algorithm>

@@ -1,9 +1,16 @@
-// The pieces of work of touchline-unpack: a zip file, a recording, a picture of a pack. The bytes
-// may be anything. Threads: pure functions; one thread for libarchive and libsndfile.
+// The pieces of work of touchline-unpack: a zip file, a recording, a picture of a pack, and whether
+// a hand can tell the lines of its map apart; and its answer as bytes. The files that it makes a
+// zip file of come to it in the same form. No reader trusts it.
+//
+//   header    magic u32, layout u8, difficulty u8, findings u16, entries u16
+//   findings  kind u8, line i32, value f64, file and what: bytes u16, text
+//   entries   name: bytes u16, text; contents: bytes u32, bytes
+//
+// Little-endian, no offsets. Threads: pure functions; one thread for libarchive and libsndfile.
 #pragma once
 
 #include "app/documents/packs/pack.h"
-#include "app/documents/packs/unpack_answer.h"
+#include "config/types/tactile_map.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -13,6 +20,30 @@
 #include <vector>
 
 namespace touchline {
+
+struct UnpackAnswer {
+    int difficulty = 0;  // of a picture, 1 ... 5; 0: unknown
+    std::vector<PackFinding> findings;
+    std::vector<PackFile> entries;
+
+    friend bool operator==(const UnpackAnswer&, const UnpackAnswer&) = default;
+};
+
+/// The names of entries that are no files of a pack.
+inline constexpr const char* map_entry = "map";
+inline constexpr const char* sound_entry = "pcm";
+inline constexpr const char* picture_entry = "svg";
+inline constexpr const char* zip_entry = "zip";
+
+inline constexpr std::size_t most_findings = 200;
+inline constexpr std::size_t most_finding_text_bytes = 300;
+
+/// Leaves out findings beyond most_findings; cuts texts and makes them fit for a line. O(bytes).
+[[nodiscard]] std::vector<std::byte> bytes_of(const UnpackAnswer& answer);
+
+/// Fails unless the bytes are exactly what bytes_of() gives for some answer: texts are sound, names
+/// plain and unique, numbers finite, every byte is used. O(bytes).
+[[nodiscard]] Result<UnpackAnswer> unpack_answer_of(std::span<const std::byte> bytes);
 
 /// A file by the list at the end of a zip file.
 struct ZipMember {
@@ -47,7 +78,35 @@ struct ReadSound {
 [[nodiscard]] UnpackAnswer check_picture(std::string_view svg,
                                          const std::vector<std::string>& languages);
 
-/// Entry picture_entry: app/documents/decode/image_layers.h.
+/// Entry picture_entry: app/documents/decode/map_svg.h.
 [[nodiscard]] UnpackAnswer picture_in_layers(std::string_view svg, const std::string& language);
+
+inline constexpr double least_gap_m = 0.003;  // 1/8 inch: the least gap that a finger can feel
+inline constexpr double least_rim_m = 0.003;
+
+struct NearLines {
+    std::size_t one = 0;  // indices of the map's outlines; equal: two places of one
+    std::size_t other = 0;
+    double gap_m = 0.0;
+};
+
+/// Every pair of outlines that come nearer than least_gap_m without meeting there, and every
+/// outline that comes so near to itself; nearest first, at most `most`. Lines that meet may be near
+/// each other within 8 mm of the meeting. Near-linear in the lines' length for a map with room;
+/// examines at most 200 000 places.
+[[nodiscard]] std::vector<NearLines> near_lines(const TactileMap& map, std::size_t most);
+
+/// The number of parts. Outlines of the same label, and of the same id except for its suffix -2,
+/// -3, ..., are one part. O(n log n).
+[[nodiscard]] std::size_t part_count(const TactileMap& map);
+
+/// The length of all outlines together.
+[[nodiscard]] double line_length_m(const TactileMap& map);
+
+/// The most parts that a picture of this difficulty (1 ... 5) should have
+/// (app/documents/gallery/README.md).
+[[nodiscard]] int most_parts(int difficulty);
+
+[[nodiscard]] bool is_near_rim(const Outline& outline, const Area& area);
 
 }  // namespace touchline

@@ -1,7 +1,7 @@
 #include "app/documents/packs/unpacking.h"
 
 #include "app/documents/packs/plain_names.h"
-#include "app/documents/packs/unpack_answer.h"
+#include "app/documents/packs/unpack_work.h"
 #include "app/isolation/process/memory.h"
 #include "app/isolation/process/places.h"
 #include "app/isolation/sandbox/worker.h"
@@ -56,8 +56,7 @@ PackResult<std::vector<PackFile>> unpack_zip(std::span<const std::byte> zip) {
     if (zip.size() > pack_limits.zip_bytes) return refused(FindingKind::zip_too_large);
     auto answer = worked({"zip"}, zip);
     if (!answer) return refusal(answer.error());
-    std::ranges::sort(answer->entries,
-                      [](const PackFile& a, const PackFile& b) { return a.name < b.name; });
+    std::ranges::sort(answer->entries, {}, &PackFile::name);
     return std::move(answer->entries);
 }
 

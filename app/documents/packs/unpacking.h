@@ -42,7 +42,7 @@ struct PackPictureLook {
 [[nodiscard]] PackResult<PackPictureLook> open_picture(const PackFile& file,
                                                        const std::vector<std::string>& languages);
 
-/// The picture as a layered picture of the IMAGE project, in one language (image_layers.h).
+/// The picture as a layered picture of the IMAGE project, in one language (map_svg.h).
 [[nodiscard]] PackResult<PackFile> as_image_layers(const PackFile& file,
                                                    const std::string& language);
 

@@ -3,7 +3,8 @@
 #include "app/documents/decode/one_line.h"
 #include "app/documents/packs/plain_names.h"
 #include "app/documents/packs/unpack_work.h"
-#include "app/isolation/process/owned.h"
+#include "app/isolation/process/descriptor.h"
+#include "config/types/utf8.h"
 
 #include <algorithm>
 #include <cstring>
@@ -90,8 +91,7 @@ std::optional<RawMember> take_member(std::span<const std::byte> list, std::size_
     member.bytes = number_at<std::uint32_t>(list, at + 24);
     member.attributes = number_at<std::uint32_t>(list, at + 38);
     member.local_at = number_at<std::uint32_t>(list, at + 42);
-    const auto name = list.subspan(at + member_bytes, name_bytes);
-    member.name.assign(reinterpret_cast<const char*>(name.data()), name.size());
+    member.name = as_text(list.subspan(at + member_bytes, name_bytes));
     at += member_bytes + name_bytes + tail;
     return member;
 }
@@ -239,8 +239,7 @@ PackResult<std::vector<PackFile>> files_in_zip(std::span<const std::byte> zip) {
     for (const PackFile& file : *files)
         if (const auto trouble = trouble_with_file(file.name, file.bytes))
             return refusal({*trouble, file.name});
-    std::sort(files->begin(), files->end(),
-              [](const PackFile& a, const PackFile& b) { return a.name < b.name; });
+    std::ranges::sort(*files, {}, &PackFile::name);
     return files;
 }
 

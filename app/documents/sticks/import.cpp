@@ -1,6 +1,6 @@
 #include "app/documents/sticks/import.h"
 
-#include "app/documents/decode/side_car.h"
+#include "app/documents/decode/opening.h"
 #include "app/isolation/process/memory.h"
 #include "app/isolation/sandbox/limits.h"
 

@@ -38,7 +38,7 @@ class StickImport {
     [[nodiscard]] Result<Descriptor, StickRefusal> read(const std::string& root,
                                                         const StickEntry& entry);
 
-    /// The same for the text that describes it (app/documents/decode/side_car.h); no_such_file for
+    /// The same for the text that describes it (app/documents/decode/opening.h); no_such_file for
     /// most files.
     [[nodiscard]] Result<Descriptor, StickRefusal> read_side_car(const std::string& root,
                                                                  const StickEntry& entry);

@@ -1,8 +1,8 @@
 // touchline-import: the kiosk starts it for one list or one file of a stick. It closes its sandbox,
 // and only then reads the first name.
-#include "app/documents/decode/one_line.h"
 #include "app/documents/sticks/stick_reading.h"
 #include "config/types/steady_clock.h"
+#include "config/types/utf8.h"
 
 #include <cerrno>
 #include <cstdint>

@@ -1,8 +1,8 @@
 #include "app/documents/sticks/listing.h"
 
 #include "app/documents/decode/file_format.h"
-#include "app/documents/decode/one_line.h"
 #include "config/types/fields.h"
+#include "config/types/utf8.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,6 @@
-#include "app/documents/sticks/name_parts.h"
 
-#include "app/documents/decode/one_line.h"
 #include "app/documents/sticks/names.h"
+#include "config/types/utf8.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,7 @@
 // The names of a stick's files, which are untrusted: any bytes except NUL and '/'. Show or say only
 // the results of shown_name() and of spoken_name.h; open the file only by the bytes themselves.
-// The characters of a name are for this folder alone.
+// The characters of a name, and the words and numbers that it divides into, are for this folder
+// alone.
 // Threads: pure functions; a NaturalOrder by one thread at a time.
 #pragma once
 
@@ -8,8 +9,10 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <unicode/coll.h>
 
@@ -70,5 +73,37 @@ struct NameCharacter {
 /// The name without its ending, such as ".jpg": up to five letters and digits after the last dot,
 /// with at least one letter ("10.15" has no ending).
 [[nodiscard]] std::string_view without_ending(std::string_view name);
+
+/// A word (letters, with their accents and the apostrophes between them) or a run of digits.
+struct NamePart {
+    std::string text;  // digits of every script as ASCII
+    std::string gap;   // what separates it from the part before; blanks of all kinds as ' '
+    bool is_digits = false;
+};
+
+/// Takes at most `most_characters` of words and digits. Stray bytes and invisible characters
+/// separate words as blanks do.
+[[nodiscard]] std::vector<NamePart> parts_of_name(std::string_view name,
+                                                  std::size_t most_characters);
+
+struct ClockTime {
+    int hour = 0;    // 0 ... 23
+    int minute = 0;  // 0 ... 59
+    int second = 0;  // 0 ... 59
+};
+
+/// A valid day of the years 1900 to 2099, and the time of day if one follows.
+struct NameMoment {
+    int year = 0;
+    int month = 1;
+    int day = 1;
+    std::optional<ClockTime> clock;
+    std::size_t parts = 0;  // how many parts it takes, from the first on
+};
+
+/// The moment that the first parts form: "20230405", "2023-04-05 at 10.15.00", "20230405_101500",
+/// "05.04.2023". In numbers alone day and month may come in either order, so if both orders are
+/// possible it is no date, unless dots separate the numbers.
+[[nodiscard]] std::optional<NameMoment> moment_of(std::span<const NamePart> parts);
 
 }  // namespace touchline

@@ -1,6 +1,5 @@
 #include "app/documents/sticks/spoken_name.h"
 
-#include "app/documents/sticks/name_parts.h"
 #include "app/documents/sticks/names.h"
 
 #include <algorithm>

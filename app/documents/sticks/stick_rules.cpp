@@ -98,8 +98,7 @@ void StickRules::on_service_lost() {
 }
 
 const Volume* StickRules::find(const std::string& object) const {
-    const auto found = std::ranges::find_if(
-        all_, [&object](const Volume& volume) { return volume.object == object; });
+    const auto found = std::ranges::find(all_, object, &Volume::object);
     return found == all_.end() ? nullptr : &*found;
 }
 

@@ -2,10 +2,10 @@
 // thing at a place.
 #include "app/documents/decode/answer_parts.h"
 #include "app/documents/decode/worker_program.h"
-#include "app/documents/trace/joined.h"
-#include "app/documents/trace/main_things.h"
+#include "app/documents/trace/finding_things.h"
 #include "app/documents/trace/page_lines.h"
 #include "app/documents/trace/trace_work.h"
+#include "app/documents/trace/traced.h"
 #include "config/types/result.h"
 #include "haptics/servo/real_time.h"
 #include "vision/contour/gradient.h"

@@ -1,14 +1,62 @@
-// Finds the main things of a photograph in a worker that can do nothing else.
-// Threads: any, each call by itself; it waits for its worker, at most its deadline.
+// Finds the main things of a photograph in a worker that can do nothing else: what they probably
+// are, its faces, and the worker's answer as bytes, which no reader trusts.
+//
+//   header  magic u32, is_sure u8, two f64 (FigureSigns)
+//   boxes   of the main things: how many u32, then four f64 each
+//   names   how many u32; each: number u32, likelihood f64, box
+//   faces   how many u32; each: box, and its map (map_bytes.h) with the bytes before it u32
+//   mask    a grey picture (traced.h), the rest
+//
+// Threads: any, each call by itself; one that finds waits for its worker, at most its deadline.
 #pragma once
 
 #include "app/documents/decode/page.h"
-#include "app/documents/trace/joined.h"
-#include "app/documents/trace/main_things.h"
+#include "app/documents/decode/picture.h"
+#include "app/documents/models/networks.h"
 #include "app/documents/trace/trace_work.h"
+#include "app/documents/trace/traced.h"
 #include "config/types/result.h"
+#include "config/types/tactile_map.h"
+#include "config/types/thing_name.h"
+#include "vision/figure/figures.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
 
 namespace touchline {
+
+/// A face drawn in lines, and the part of the picture that fills the map's area, which may reach
+/// beyond the picture (can_be_shown()). Its labels are those of config/types/thing_name.h; the map
+/// has no other text.
+struct DrawnFace {
+    ThingBox part;
+    TactileMap map;
+};
+
+/// True if the part reaches into the picture, is not empty, and lies at most four pictures away.
+[[nodiscard]] bool can_be_shown(const ThingBox& part);
+
+struct MainThings {
+    GreyPicture mask;             // with the picture's proportions; 128 and more: a thing
+    std::vector<ThingBox> boxes;  // the largest thing first
+    FigureSigns signs;
+    bool is_sure = false;
+    std::vector<NamedThing> names;  // the largest thing first
+    std::vector<DrawnFace> faces;   // the largest first
+};
+
+/// The networks in their order among the inputs of their worker (traced.h).
+inline constexpr std::size_t picture_network_count = 5;
+
+[[nodiscard]] inline ThingsInBytes things_of(const PictureNetworks& networks) {
+    return {networks.figure, networks.names, networks.faces, networks.meshes, networks.persons};
+}
+
+/// Takes the first of `things`, which must hold at least as many.
+[[nodiscard]] inline PictureNetworks networks_in(const ThingsInBytes& things) {
+    return {things[0], things[1], things[2], things[3], things[4]};
+}
 
 /// The networks for which there is memory: without the figure's if less than 2 GB are free. Fails
 /// if less than 400 MB are.
@@ -30,5 +78,13 @@ namespace touchline {
 
 /// Adds a further thing as the last view before the whole. O(pixels of the mask).
 [[nodiscard]] Page with_further_thing(Page page, MainThings thing);
+
+[[nodiscard]] MainThings main_things_of(const Figures& figures);
+
+/// Fails as config/types/map_bytes.h for a face's map.
+[[nodiscard]] Result<std::vector<std::byte>> bytes_of(const MainThings& things);
+
+/// Fails with one line unless every size and number is in its range, and no box is empty.
+[[nodiscard]] Result<MainThings> main_things_of(std::span<const std::byte> bytes);
 
 }  // namespace touchline

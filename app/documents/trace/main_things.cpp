@@ -1,6 +1,5 @@
-#include "app/documents/trace/main_things.h"
-
-#include "app/documents/trace/worker_values.h"
+#include "app/documents/trace/finding_things.h"
+#include "app/documents/trace/traced.h"
 #include "config/types/fields.h"
 #include "config/types/map_bytes.h"
 #include "config/types/thing_name.h"

@@ -1,13 +1,11 @@
 // touchline-trace: finds a picture's lines, and makes maps of them. The kiosk starts it for one
 // step of one picture.
+#include "app/documents/decode/one_line.h"
 #include "app/documents/decode/page.h"
 #include "app/documents/decode/worker_program.h"
-#include "app/documents/trace/joined.h"
-#include "app/documents/trace/json.h"
 #include "app/documents/trace/page_lines.h"
 #include "app/documents/trace/trace_work.h"
 #include "app/documents/trace/traced.h"
-#include "app/documents/trace/worker_values.h"
 #include "vision/camera/frame.h"
 #include "vision/prepare/document.h"
 #include "vision/simplify/trace.h"

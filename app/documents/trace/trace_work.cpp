@@ -1,6 +1,6 @@
 #include "app/documents/trace/trace_work.h"
 
-#include "app/documents/decode/one_line.h"
+#include "config/types/utf8.h"
 
 #include <algorithm>
 #include <array>
@@ -21,11 +21,6 @@ std::string text_of(double number) {
     return {text.data(), end};
 }
 
-std::optional<double> share_of(const std::string& word) {
-    const auto share = number_in<double>(word);
-    return share && *share >= 0.0 && *share <= 1.0 ? share : std::nullopt;
-}
-
 /// True for a whole number from `least` to `most`; NaN is none.
 bool is_choice(double number, int least, int most) {
     return number >= least && number <= most && number == static_cast<int>(number);
@@ -39,8 +34,8 @@ std::vector<std::string> words_of(const PlaceInPicture& place) {
 
 std::optional<PlaceInPicture> place_of(const std::vector<std::string>& words) {
     if (words.size() != 2) return std::nullopt;
-    const auto x = share_of(words[0]);
-    const auto y = share_of(words[1]);
+    const auto x = number_in(words[0], 0.0, 1.0);
+    const auto y = number_in(words[1], 0.0, 1.0);
     return x && y ? std::optional(PlaceInPicture{*x, *y}) : std::nullopt;
 }
 

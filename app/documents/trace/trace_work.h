@@ -52,7 +52,7 @@ struct TraceWork {
     TraceStep step = TraceStep::lines;
     TraceOptions options;
     bool wants_edges = false;      // also the picture of the edges' strengths
-    bool has_main_things = false;  // a mask comes before the page (joined.h)
+    bool has_main_things = false;  // a mask comes before the page (traced.h)
     PhotoCut cut;
 };
 

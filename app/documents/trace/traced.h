@@ -8,14 +8,26 @@
 //   report   JSON
 //   map      config/types/map_bytes.h
 //   edges    1 byte per pixel, rows from the top
-//   lines    worker_values.h
+//   lines    what was found, then each chain with its points: another worker, the same program,
+//            makes a map of them; the kiosk keeps them and does not look inside
 //
-// A text is its bytes u32 and the bytes. Little-endian, no offsets. Threads: pure functions.
+// A text is its bytes u32 and the bytes. Little-endian, no offsets. And what else crosses between
+// workers as flat bytes:
+//
+//   camera's frame  for the worker that makes a page of it: format u8, width i32, height i32 and
+//                   bytes per row u64, then its bytes
+//   grey picture    width and height (u32 each), then its bytes
+//   several inputs  of one worker in one piece of memory: the size of each (u64), then one after
+//                   the other
+//
+// Threads: pure functions.
 #pragma once
 
 #include "app/documents/decode/picture.h"
 #include "config/types/result.h"
 #include "config/types/tactile_map.h"
+#include "vision/camera/frame.h"
+#include "vision/simplify/trace.h"
 
 #include <cstddef>
 #include <span>
@@ -51,5 +63,32 @@ struct Traced {
 /// The bytes of the lines in an answer that traced_of() accepts, for the worker that gets it; empty
 /// if there are none.
 [[nodiscard]] std::span<const std::byte> lines_in(std::span<const std::byte> bytes);
+
+/// The inputs of one worker; they lie elsewhere.
+using ThingsInBytes = std::vector<std::span<const std::byte>>;
+
+[[nodiscard]] std::vector<std::byte> joined(const ThingsInBytes& things);
+
+/// Separates them again; empty if there are not so many, or their sizes do not fill the memory.
+[[nodiscard]] ThingsInBytes parted(std::span<const std::byte> all, std::size_t count);
+
+[[nodiscard]] std::vector<std::byte> bytes_of(const CameraFrame& frame);
+
+/// Fails for an unknown format, for a size beyond app/documents/decode/picture.h, and for a row
+/// that is longer than all the bytes.
+[[nodiscard]] Result<CameraFrame> frame_of(std::span<const std::byte> bytes);
+
+[[nodiscard]] std::vector<std::byte> bytes_of(const GreyPicture& picture);
+
+/// Fails unless the size is valid for a picture and fits the bytes.
+[[nodiscard]] Result<GreyPicture> grey_of(std::span<const std::byte> bytes);
+
+/// Holds what trace_lines() needs, and the report; leaves out the edges' strengths and the features
+/// of the class. O(points).
+[[nodiscard]] std::vector<std::byte> bytes_of(const Found& found);
+
+/// Restores what bytes_of() got, bit for bit. Fails unless the sizes add up, every number is finite
+/// and no size of a picture is empty. O(points).
+[[nodiscard]] Result<Found> found_of(std::span<const std::byte> bytes);
 
 }  // namespace touchline

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "app/documents/decode/page.h"
-#include "app/documents/trace/joined.h"
 #include "app/documents/trace/trace_work.h"
 #include "app/documents/trace/traced.h"
 #include "app/isolation/process/descriptor.h"
@@ -53,7 +52,7 @@ using Sealed = std::shared_ptr<const Descriptor>;
 /// The answer of the page's own worker, without a copy, if nothing has changed since.
 [[nodiscard]] Result<Sealed> sealed(const Page& page);
 
-/// The page after other things (joined.h): a copy of everything.
+/// The page after other things (traced.h): a copy of everything.
 [[nodiscard]] Result<Sealed> sealed_behind(ThingsInBytes things, const Page& page);
 
 }  // namespace touchline

@@ -1,5 +1,6 @@
 #include "app/isolation/process/child.h"
 
+#include "config/types/pinned.h"
 #include "config/types/steady_clock.h"
 
 #include <algorithm>
@@ -26,7 +27,7 @@ namespace touchline {
 namespace {
 
 /// How the child starts: with its handed descriptors and no others, and default signals.
-class SpawnOrder {
+class SpawnOrder : Pinned {
   public:
     SpawnOrder(std::span<const Descriptor* const> handed, StandardStreams streams) {
         posix_spawn_file_actions_init(&actions_);
@@ -53,11 +54,6 @@ class SpawnOrder {
         posix_spawnattr_destroy(&attributes_);
         posix_spawn_file_actions_destroy(&actions_);
     }
-
-    SpawnOrder(const SpawnOrder&) = delete;
-    SpawnOrder(SpawnOrder&&) = delete;
-    SpawnOrder& operator=(const SpawnOrder&) = delete;
-    SpawnOrder& operator=(SpawnOrder&&) = delete;
 
     /// Returns the error's number; 0 for none.
     int spawn(pid_t& pid, const std::string& program, std::vector<char*>& words,

@@ -1,8 +1,10 @@
-// A file descriptor with an owner. Threads: values; each by one thread at a time.
+// What is given back with its owner: a file descriptor, an object of a C library.
+// Threads: values; each by one thread at a time; an object as its library says.
 #pragma once
 
 #include <cerrno>
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <utility>
 
@@ -60,5 +62,14 @@ class Descriptor {
     FileStatus status{};
     return ::fstat(file.number(), &status) != 0 || status.st_size <= 0;
 }
+
+/// Releases an object of a C library: calls one function of it, whatever it returns.
+template <auto release>
+struct ReleasedBy {
+    void operator()(auto* object) const { (void)release(object); }
+};
+
+template <class T, auto release>
+using Owned = std::unique_ptr<T, ReleasedBy<release>>;
 
 }  // namespace touchline

@@ -5,6 +5,7 @@
 #include <string>
 
 #include <fcntl.h>
+#include <malloc.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -87,6 +88,12 @@ Result<Descriptor> memory_of_size(std::size_t bytes) {
         return memory_failure("there is no memory to share");
     }
     return memory;
+}
+
+void keep_memory_compact() {
+    constexpr int large_bytes = 128 * 1024;
+    (void)mallopt(M_ARENA_MAX, 1);
+    (void)mallopt(M_MMAP_THRESHOLD, large_bytes);
 }
 
 }  // namespace touchline

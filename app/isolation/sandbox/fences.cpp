@@ -3,7 +3,7 @@
 // Landlock: the process can make, change, remove or run nothing, and read only what is named. Asks
 // for exactly what Debian 12's kernel (ABI 2) supports, so that tests on a newer kernel do not
 // prove more than is true there. seccomp: gives the rules of policy.h to the kernel, by libseccomp.
-#include "app/isolation/process/owned.h"
+#include "app/isolation/process/descriptor.h"
 #include "app/isolation/sandbox/policy.h"
 #include "app/isolation/sandbox/sandbox.h"
 

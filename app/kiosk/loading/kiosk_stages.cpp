@@ -2,7 +2,6 @@
 
 #include "app/documents/decode/one_line.h"
 #include "app/documents/decode/opening.h"
-#include "app/documents/decode/words_in_picture.h"
 #include "app/documents/gallery/gallery.h"
 #include "app/documents/models/networks.h"
 #include "app/documents/trace/finding_things.h"

@@ -3,7 +3,7 @@
 #include "app/cli/hand_csv.h"
 #include "app/documents/decode/files.h"
 #include "app/documents/decode/map_svg.h"
-#include "app/documents/decode/png_writer.h"
+#include "app/documents/decode/picture.h"
 #include "haptics/contact/contact_machine.h"
 
 #include <algorithm>

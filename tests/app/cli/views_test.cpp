@@ -3,7 +3,7 @@
 #include "app/cli/tour.h"
 #include "app/documents/decode/files.h"
 #include "app/documents/decode/map_svg.h"
-#include "app/documents/decode/png_writer.h"
+#include "app/documents/decode/picture.h"
 #include "app/kiosk/loading/kiosk_stages.h"
 #include "tests/app/documents/decode/files_of_formats.h"
 

@@ -13,13 +13,13 @@
 namespace touchline::testing {
 namespace {
 
-const cv::Scalar kBlack(0, 0, 0);
-const cv::Scalar kWhite(255, 255, 255);
+const cv::Scalar black_ink(0, 0, 0);
+const cv::Scalar white_paper(255, 255, 255);
 
 /// Writes each thing into the file and into the list of known paints.
 class Board {
   public:
-    void stroke(const Polyline& line, double width_mm, const cv::Scalar& bgr = kBlack,
+    void stroke(const Polyline& line, double width_mm, const cv::Scalar& bgr = black_ink,
                 std::string_view more = "") {
         paints_.push_back(stroked(line, width_mm, bgr));
         body_ += fmt::format(R"(<path d="{}" fill="none" stroke="{}" stroke-width="{:.3f}" {}/>)",
@@ -27,12 +27,12 @@ class Board {
     }
 
     void line(const cv::Point2d& a, const cv::Point2d& b, double width_mm,
-              const cv::Scalar& bgr = kBlack, std::string_view more = "") {
+              const cv::Scalar& bgr = black_ink, std::string_view more = "") {
         stroke({{a, b}, false}, width_mm, bgr, more);
     }
 
     void dashed_line(const cv::Point2d& a, const cv::Point2d& b, double width_mm) {
-        line(a, b, width_mm, kBlack, R"(stroke-dasharray="3 2")");
+        line(a, b, width_mm, black_ink, R"(stroke-dasharray="3 2")");
         paints_.back().dashes_mm = {3.0, 2.0};
     }
 
@@ -82,21 +82,21 @@ class Board {
     std::vector<Paint> paints_;
 };
 
-constexpr double kFloor_mm = 72.0;
-constexpr double kWall_mm = 18.0;
+constexpr double floor_mm = 72.0;
+constexpr double wall_mm = 18.0;
 
 void add_axes(Board& board, double width_mm) {
-    board.line({kWall_mm, 6.0}, {kWall_mm, kFloor_mm}, width_mm);
-    board.line({kWall_mm - width_mm / 2, kFloor_mm}, {112.0, kFloor_mm}, width_mm);
+    board.line({wall_mm, 6.0}, {wall_mm, floor_mm}, width_mm);
+    board.line({wall_mm - width_mm / 2, floor_mm}, {112.0, floor_mm}, width_mm);
     for (int i = 0; i < 4; ++i) {
-        const double y = kFloor_mm - 16.0 * (i + 1);
-        board.line({kWall_mm - 1.8, y}, {kWall_mm, y}, width_mm);
-        board.text(fmt::format("{}", 10 * (i + 1)), {kWall_mm - 8.0, y + 1.0});
+        const double y = floor_mm - 16.0 * (i + 1);
+        board.line({wall_mm - 1.8, y}, {wall_mm, y}, width_mm);
+        board.text(fmt::format("{}", 10 * (i + 1)), {wall_mm - 8.0, y + 1.0});
     }
 }
 
 void add_grid(Board& board) {
-    for (double y = kFloor_mm - 8.0; y > 6.0; y -= 8.0) board.grid_line({kWall_mm, y}, {112.0, y});
+    for (double y = floor_mm - 8.0; y > 6.0; y -= 8.0) board.grid_line({wall_mm, y}, {112.0, y});
 }
 
 cv::Scalar bar_colour(Chance& chance) {
@@ -115,9 +115,9 @@ Drawing bars(Chance& chance) {
     const cv::Scalar colour = bar_colour(chance);
     for (int i = 0; i < n; ++i) {
         const double height = chance.between(12.0, 62.0);
-        const double x = kWall_mm + 4.5 + pitch * i;
-        board.bar({x, kFloor_mm - height, width, height}, colour);
-        board.text(fmt::format("Q{}", i + 1), {x + width / 2 - 2.0, kFloor_mm + 5.0});
+        const double x = wall_mm + 4.5 + pitch * i;
+        board.bar({x, floor_mm - height, width, height}, colour);
+        board.text(fmt::format("Q{}", i + 1), {x + width / 2 - 2.0, floor_mm + 5.0});
     }
     add_axes(board, chance.between(0.3, 0.8));
     return board.drawing();
@@ -131,11 +131,11 @@ Drawing outlined_bars(Chance& chance) {
     const double pen = chance.between(0.4, 1.0);
     for (int i = 0; i < n; ++i) {
         const double height = chance.between(14.0, 60.0);
-        const double x = kWall_mm + 5.0 + pitch * i;
-        board.stroke({{{x, kFloor_mm},
-                       {x, kFloor_mm - height},
-                       {x + width, kFloor_mm - height},
-                       {x + width, kFloor_mm}},
+        const double x = wall_mm + 5.0 + pitch * i;
+        board.stroke({{{x, floor_mm},
+                       {x, floor_mm - height},
+                       {x + width, floor_mm - height},
+                       {x + width, floor_mm}},
                       false},
                      pen);
     }
@@ -149,11 +149,11 @@ Drawing stacked_bars(Chance& chance) {
     const double pitch = 90.0 / n;
     const double width = pitch - chance.between(6.0, 9.0);
     for (int i = 0; i < n; ++i) {
-        const double x = kWall_mm + 5.0 + pitch * i;
+        const double x = wall_mm + 5.0 + pitch * i;
         const double first = chance.between(12.0, 26.0);
         const double second = chance.between(12.0, 26.0);
-        board.bar({x, kFloor_mm - first, width, first}, {180, 119, 31});
-        board.bar({x, kFloor_mm - first - second, width, second}, {60, 200, 240});
+        board.bar({x, floor_mm - first, width, first}, {180, 119, 31});
+        board.bar({x, floor_mm - first - second, width, second}, {60, 200, 240});
     }
     add_axes(board, 0.5);
     return board.drawing();
@@ -167,7 +167,7 @@ Drawing curve(Chance& chance) {
     const double waves = chance.between(0.8, 1.6);
     for (int i = 0; i <= 90; ++i)
         line.points.emplace_back(
-            kWall_mm + 4.0 + i,
+            wall_mm + 4.0 + i,
             40.0 - 22.0 * std::sin(phase + waves * 2 * std::numbers::pi * i / 90.0));
     board.stroke(line, chance.between(0.5, 1.2), {180, 60, 20});
     add_axes(board, 0.5);
@@ -215,11 +215,11 @@ Drawing floor_plan(Chance& chance) {
     const double entry = chance.between(20.0, 30.0);
     const std::string_view flat = R"(stroke-linecap="butt" stroke-linejoin="miter")";
     board.stroke({{{entry + door, y1}, {x1, y1}, {x1, y0}, {x0, y0}, {x0, y1}, {entry, y1}}, false},
-                 wall, kBlack, flat);
-    board.line({middle, y0}, {middle, cross - 12.0 - door}, wall, kBlack, flat);
-    board.line({middle, cross - 12.0}, {middle, y1}, wall, kBlack, flat);
-    board.line({middle, cross}, {x1 - 18.0 - door, cross}, wall, kBlack, flat);
-    board.line({x1 - 18.0, cross}, {x1, cross}, wall, kBlack, flat);
+                 wall, black_ink, flat);
+    board.line({middle, y0}, {middle, cross - 12.0 - door}, wall, black_ink, flat);
+    board.line({middle, cross - 12.0}, {middle, y1}, wall, black_ink, flat);
+    board.line({middle, cross}, {x1 - 18.0 - door, cross}, wall, black_ink, flat);
+    board.line({x1 - 18.0, cross}, {x1, cross}, wall, black_ink, flat);
     add_door(board, {entry, y1}, {door, 0.0}, {0.0, -door});
     add_door(board, {x1 - 18.0, cross}, {-door, 0.0}, {0.0, door});
     board.text("Kitchen", {18.0, 40.0});
@@ -229,7 +229,7 @@ Drawing floor_plan(Chance& chance) {
 
 Drawing tactile_map(Chance& chance) {
     Board board;
-    board.bar({0.0, 0.0, kSheet_mm.width, kSheet_mm.height}, kWhite);  // not a line of the map
+    board.bar({0.0, 0.0, sheet_mm.width, sheet_mm.height}, white_paper);  // not a line of the map
     const cv::Scalar road(119, 119, 119);
     const double width = chance.between(1.2, 2.4);
     const double y = chance.between(36.0, 48.0);
@@ -238,7 +238,7 @@ Drawing tactile_map(Chance& chance) {
     board.line({x, 0.0}, {x + chance.between(-6.0, 6.0), 84.0}, width, road);
     for (const cv::Point2d& at :
          {cv::Point2d(8, 8), cv::Point2d(86, 8), cv::Point2d(10, 60), cv::Point2d(84, 62)})
-        board.bar({at.x, at.y, chance.between(14.0, 22.0), chance.between(9.0, 15.0)}, kBlack);
+        board.bar({at.x, at.y, chance.between(14.0, 22.0), chance.between(9.0, 15.0)}, black_ink);
     return board.drawing();
 }
 
@@ -255,10 +255,10 @@ Drawing flow_chart(Chance& chance) {
         board.text(i == 1 ? "Dry?" : "Step", {x + 9, y + 1});
         if (i == 2) continue;
         board.line({x + 26, y}, {x + 35, y}, pen);
-        board.area({{{x + 34, y - 2.2}, {x + 38, y}, {x + 34, y + 2.2}}, true}, kBlack);
+        board.area({{{x + 34, y - 2.2}, {x + 38, y}, {x + 34, y + 2.2}}, true}, black_ink);
     }
     board.stroke({{{57.0, y + 12}, {57.0, y + 34}, {19.0, y + 34}, {19.0, y + 12}}, false}, pen);
-    board.area({{{16.8, y + 12}, {19.0, y + 8}, {21.2, y + 12}}, true}, kBlack);
+    board.area({{{16.8, y + 12}, {19.0, y + 8}, {21.2, y + 12}}, true}, black_ink);
     return board.drawing();
 }
 

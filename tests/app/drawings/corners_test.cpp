@@ -23,7 +23,7 @@ using testing::Join;
 using testing::Pen;
 using testing::Polyline;
 
-constexpr double kPx_mm = 1200.0 / 116.0;
+constexpr double px_per_mm = 1200.0 / 116.0;
 
 /// Returns a PNG as a drawing program saves it: black on white, anti-aliased.
 testing::Drawing png_of(const Polyline& line, const Pen& pen) {
@@ -72,7 +72,7 @@ std::string fault_of(const Polyline& drawn, const Pen& pen) {
     if (outlines.size() != 1) return fmt::format("{} lines", outlines.size());
     if (!outlines[0].is_closed) return "not closed";
     Polyline ring = drawn;
-    for (cv::Point2d& p : ring.points) p /= kPx_mm;
+    for (cv::Point2d& p : ring.points) p /= px_per_mm;
     const std::vector<cv::Point2d> felt = testing::in_steps(outlines[0]);
     for (const cv::Point2d& corner : ring.points) {
         double least = 1e9;

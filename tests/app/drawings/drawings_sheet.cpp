@@ -2,7 +2,7 @@
 // --files FOLDER writes one file of each kind there. Numbers count the features of SVG, then the
 // kinds of charts; pdf:SEED is a page of PDF, and pdfNUMBER:SEED a drawing written as one.
 #include "app/documents/decode/files.h"
-#include "app/documents/decode/png_writer.h"
+#include "app/documents/decode/picture.h"
 #include "tests/app/drawings/charts.h"
 #include "tests/app/drawings/felt.h"
 #include "tests/app/drawings/pdf_drawings.h"
@@ -48,7 +48,7 @@ std::optional<testing::Drawing> asked_for(const char* argument) {
 }
 
 cv::Mat row_of(const testing::Drawing& drawing) {
-    const auto felt = testing::felt_of(drawing, 5, testing::kTolerance_mm);
+    const auto felt = testing::felt_of(drawing, 5, testing::usual_tolerance_mm);
     if (!felt) {
         fmt::print("{}: {}\n", drawing.name, felt.error().line);
         return testing::sheet_of(drawing, {});

@@ -16,17 +16,17 @@
 namespace touchline {
 namespace {
 
-constexpr double kLeastShare = 0.99;    // for one drawing: less is reported
-constexpr double least_of_one = 0.95;   // the least measured was 0.974
-constexpr double least_of_kind = 0.97;  // for all of one kind
-constexpr double least_of_all = 0.995;  // the least measured was 0.9988
-constexpr double most_felt = 1.06;      // a line is felt once; the most measured was 1.045
+constexpr double least_share_of_drawing = 0.99;  // for one drawing: less is reported
+constexpr double least_of_one = 0.95;            // the least measured was 0.974
+constexpr double least_of_kind = 0.97;           // for all of one kind
+constexpr double least_of_all = 0.995;           // the least measured was 0.9988
+constexpr double most_felt = 1.06;               // a line is felt once; the most measured was 1.045
 
 /// Adds up the results of all drawings of some kinds, and names each one below the bar.
 class Tally {
   public:
     void add(const testing::Drawing& drawing) {
-        const auto found = testing::felt_of(drawing, most_detail, testing::kTolerance_mm);
+        const auto found = testing::felt_of(drawing, most_detail, testing::usual_tolerance_mm);
         EXPECT_TRUE(found.has_value()) << drawing.name << ": " << found.error().line;
         if (!found) return;
         of_kind_[drawing.kind] += {found->seen, found->felt};
@@ -66,7 +66,9 @@ class Tally {
         EXPECT_GE(found.felt.share(), least_of_one) << drawing.name;
         EXPECT_TRUE(!drawing.unjudged.empty() || found.felt_mm <= most_felt * found.seen_mm)
             << drawing.name << ": " << found.felt_mm << " mm are felt of " << found.seen_mm;
-        if (found.seen.share() >= kLeastShare && found.felt.share() >= kLeastShare) return;
+        if (found.seen.share() >= least_share_of_drawing &&
+            found.felt.share() >= least_share_of_drawing)
+            return;
         fmt::print("{}: {:.1f} % of what is seen is felt, {:.1f} % of what is felt is seen\n",
                    drawing.name, 100.0 * found.seen.share(), 100.0 * found.felt.share());
     }

@@ -1,7 +1,6 @@
 #include "tests/app/drawings/felt.h"
 
 #include "app/documents/decode/opening.h"
-#include "app/documents/decode/words_in_picture.h"
 #include "app/documents/trace/page_views.h"
 #include "app/documents/trace/tracing.h"
 #include "vision/simplify/detail_limits.h"
@@ -19,7 +18,7 @@
 namespace touchline::testing {
 namespace {
 
-constexpr double kLeastLine_mm = 3.0;  // shorter lines are not judged
+constexpr double least_line_mm = 3.0;  // shorter lines are not judged
 
 /// A point of a line: which line, and how far along it.
 struct Mark {
@@ -53,7 +52,7 @@ class Marks {
 
   private:
     static constexpr int columns = 120;
-    static constexpr int kRows = 90;
+    static constexpr int rows = 90;
 
     /// Cells are a millimetre wide.
     static cv::Point cell_of(const cv::Point2d& at) {
@@ -61,11 +60,11 @@ class Marks {
     }
 
     std::vector<Mark>* cell_at(const cv::Point& cell) {
-        if (!cv::Rect(0, 0, columns, kRows).contains(cell)) return nullptr;
+        if (!cv::Rect(0, 0, columns, rows).contains(cell)) return nullptr;
         return &cells_[static_cast<std::size_t>(cell.y * columns + cell.x)];
     }
 
-    std::vector<std::vector<Mark>> cells_ = std::vector<std::vector<Mark>>(columns * kRows);
+    std::vector<std::vector<Mark>> cells_ = std::vector<std::vector<Mark>>(columns * rows);
 };
 
 std::vector<Mark> marks_of(std::span<const cv::Point2d> points, std::size_t line) {
@@ -112,20 +111,21 @@ void reduce(Page& page, double most_pixels) {
 void judge_seen(const std::vector<SeenLine>& lines, const Marks& seen, const Marks& felt,
                 const DetailLimits& limits, double tolerance_mm, Felt& out) {
     for (const SeenLine& line : lines) {
-        const double length_mm = static_cast<double>(line.points.size()) * kStep_mm;
-        if (length_mm < kLeastLine_mm) continue;
+        const double length_mm = static_cast<double>(line.points.size()) * sample_step_mm;
+        if (length_mm < least_line_mm) continue;
         for (const cv::Point2d& at : line.points) {
             if (felt.any_near(at, tolerance_mm)) {
-                out.seen.right_mm += kStep_mm;
+                out.seen.right_mm += sample_step_mm;
                 continue;
             }
             if (length_mm < limits.least_stroke_mm)
-                out.seen.too_short_mm += kStep_mm;
+                out.seen.too_short_mm += sample_step_mm;
             else if (is_crowded(seen, at, limits.gap_mm + tolerance_mm))
-                out.seen.too_near_mm += kStep_mm;
+                out.seen.too_near_mm += sample_step_mm;
             else {
-                out.seen.wrong_mm += kStep_mm;
-                if (out.missed.empty() || cv::norm(out.missed.back().back() - at) > 4 * kStep_mm)
+                out.seen.wrong_mm += sample_step_mm;
+                if (out.missed.empty() ||
+                    cv::norm(out.missed.back().back() - at) > 4 * sample_step_mm)
                     out.missed.emplace_back();
                 out.missed.back().push_back(at);
             }
@@ -142,7 +142,7 @@ void judge_felt(const Drawing& drawing, const std::vector<std::vector<cv::Point2
                             : is_crowded(seen, at, limits.gap_mm + tolerance_mm)
                                 ? out.felt.too_near_mm
                                 : out.felt.wrong_mm;
-            share += kStep_mm;
+            share += sample_step_mm;
         }
 }
 
@@ -151,12 +151,12 @@ void judge_felt(const Drawing& drawing, const std::vector<std::vector<cv::Point2
 std::vector<cv::Point2d> in_steps(const Outline& outline) {
     std::vector<cv::Point2d> corners;
     for (const Position& p : outline.points)
-        corners.emplace_back(1e3 * p.x + 0.5 * kSheet_mm.width, 0.5 * kSheet_mm.height - 1e3 * p.y);
+        corners.emplace_back(1e3 * p.x + 0.5 * sheet_mm.width, 0.5 * sheet_mm.height - 1e3 * p.y);
     if (outline.is_closed) corners.push_back(corners.front());
     std::vector<cv::Point2d> out;
     for (std::size_t i = 1; i < corners.size(); ++i) {
         const cv::Point2d side = corners[i] - corners[i - 1];
-        const int steps = std::max(1, static_cast<int>(std::ceil(cv::norm(side) / kStep_mm)));
+        const int steps = std::max(1, static_cast<int>(std::ceil(cv::norm(side) / sample_step_mm)));
         for (int k = 0; k < steps; ++k)
             out.push_back(corners[i - 1] + side * (static_cast<double>(k) / steps));
     }
@@ -238,12 +238,12 @@ Felt felt_by(TactileMap map, const Drawing& drawing, int detail, double toleranc
 }
 
 cv::Mat sheet_of(const Drawing& drawing, const Felt& felt) {
-    constexpr double kScale = 5.0;
-    const cv::Size size(static_cast<int>(kSheet_mm.width * kScale),
-                        static_cast<int>(kSheet_mm.height * kScale));
+    constexpr double pixels_of_mm = 5.0;
+    const cv::Size size(static_cast<int>(sheet_mm.width * pixels_of_mm),
+                        static_cast<int>(sheet_mm.height * pixels_of_mm));
     cv::Mat seen(size, CV_8UC3, cv::Scalar::all(255));
     const auto dot = [&](cv::Mat& on, const cv::Point2d& at, const cv::Scalar& colour) {
-        cv::circle(on, cv::Point(at * kScale), 1, colour, cv::FILLED);
+        cv::circle(on, cv::Point(at * pixels_of_mm), 1, colour, cv::FILLED);
     };
     for (const SeenLine& line : seen_lines(drawing))
         for (const cv::Point2d& at : line.points) dot(seen, at, {60, 160, 60});

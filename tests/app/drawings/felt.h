@@ -14,7 +14,7 @@
 namespace touchline::testing {
 
 /// A line this near to another one is felt as that one.
-inline constexpr double kTolerance_mm = 0.5;
+inline constexpr double usual_tolerance_mm = 0.5;
 
 /// Millimetres of line by outcome, and the share of right ones.
 struct Counted {
@@ -61,7 +61,7 @@ struct WholeView {
 [[nodiscard]] Result<WholeView> whole_view_of(const Drawing& drawing, int detail,
                                               double most_pixels);
 
-/// Returns an outline's points in steps of at most kStep_mm, on the sheet.
+/// Returns an outline's points in steps of at most sample_step_mm, on the sheet.
 [[nodiscard]] std::vector<cv::Point2d> in_steps(const Outline& outline);
 
 /// Judges the whole file at this detail, within `tolerance_mm` of what can be seen. Fails with one

@@ -12,16 +12,17 @@
 namespace touchline::testing {
 namespace {
 
-constexpr double kPixels_per_mm = 20.0;
-constexpr int kShift = 8;  // bits of fixed point in OpenCV's drawing
-constexpr double kBeside_mm = 0.16;
+constexpr double pixels_per_mm = 20.0;
+constexpr int fixed_point_bits = 8;  // in OpenCV's drawing
+constexpr double beside_mm = 0.16;
 constexpr double least_difference = 25.0;  // in a channel, 0 ... 255
 
 using Points = std::vector<cv::Point2d>;
 
 cv::Point fixed(const cv::Point2d& mm) {
-    const double scale = kPixels_per_mm * (1 << kShift);
-    const double half = 0.5 * (1 << kShift);  // OpenCV counts from the middle of the first pixel
+    const double scale = pixels_per_mm * (1 << fixed_point_bits);
+    const double half =
+        0.5 * (1 << fixed_point_bits);  // OpenCV counts from the middle of the first pixel
     return {static_cast<int>(std::lround(mm.x * scale - half)),
             static_cast<int>(std::lround(mm.y * scale - half))};
 }
@@ -36,21 +37,21 @@ std::vector<std::vector<cv::Point>> fixed(const std::vector<Polyline>& lines) {
 }
 
 cv::Mat blank_mask() {
-    return {cv::Size(static_cast<int>(kSheet_mm.width * kPixels_per_mm),
-                     static_cast<int>(kSheet_mm.height * kPixels_per_mm)),
+    return {cv::Size(static_cast<int>(sheet_mm.width * pixels_per_mm),
+                     static_cast<int>(sheet_mm.height * pixels_per_mm)),
             CV_8U, cv::Scalar(0)};
 }
 
 void add_turns(const Points& ring, cv::Mat& turns) {
     for (int y = 0; y < turns.rows; ++y) {
-        const double at = (y + 0.5) / kPixels_per_mm;
+        const double at = (y + 0.5) / pixels_per_mm;
         for (std::size_t i = 0; i < ring.size(); ++i) {
             const cv::Point2d& a = ring[i];
             const cv::Point2d& b = ring[(i + 1) % ring.size()];
             if ((a.y <= at) == (b.y <= at)) continue;
             const double x = a.x + (at - a.y) / (b.y - a.y) * (b.x - a.x);
             const int last =
-                std::clamp(static_cast<int>(std::ceil(x * kPixels_per_mm - 0.5)), 0, turns.cols);
+                std::clamp(static_cast<int>(std::ceil(x * pixels_per_mm - 0.5)), 0, turns.cols);
             if (last > 0) turns(cv::Rect(0, y, last, 1)) += cv::Scalar(b.y > a.y ? 1 : -1);
         }
     }
@@ -60,7 +61,7 @@ void add_turns(const Points& ring, cv::Mat& turns) {
 cv::Mat inside_of(const std::vector<Polyline>& rings, bool is_even_odd) {
     cv::Mat mask = blank_mask();
     if (is_even_odd) {
-        cv::fillPoly(mask, fixed(rings), cv::Scalar(255), cv::LINE_8, kShift);
+        cv::fillPoly(mask, fixed(rings), cv::Scalar(255), cv::LINE_8, fixed_point_bits);
         return mask;
     }
     cv::Mat turns(mask.size(), CV_16S, cv::Scalar(0));  // Sunday's winding number, row by row
@@ -74,10 +75,10 @@ cv::Mat mask_of(const Paint& paint) {
     if (paint.width_mm > 0.0) {
         mask = blank_mask();
         const int width =
-            std::max(1, static_cast<int>(std::lround(paint.width_mm * kPixels_per_mm)));
+            std::max(1, static_cast<int>(std::lround(paint.width_mm * pixels_per_mm)));
         for (const Polyline& line : paint.lines)
             cv::polylines(mask, fixed({line}), line.is_closed, cv::Scalar(255), width, cv::LINE_8,
-                          kShift);
+                          fixed_point_bits);
     } else {
         mask = inside_of(paint.lines, paint.is_even_odd);
     }
@@ -104,14 +105,14 @@ class Sheet {
 
     /// Returns white beyond the sheet, where there is nothing to see.
     [[nodiscard]] cv::Vec3b at(const cv::Point2d& mm) const {
-        const cv::Point pixel(static_cast<int>(std::floor(mm.x * kPixels_per_mm)),
-                              static_cast<int>(std::floor(mm.y * kPixels_per_mm)));
+        const cv::Point pixel(static_cast<int>(std::floor(mm.x * pixels_per_mm)),
+                              static_cast<int>(std::floor(mm.y * pixels_per_mm)));
         if (!cv::Rect({}, colours_.size()).contains(pixel)) return {255, 255, 255};
         return colours_.at<cv::Vec3b>(pixel);
     }
 
     [[nodiscard]] bool is_asked(const cv::Point2d& mm) const {
-        const cv::Rect2d sheet(0.4, 0.4, kSheet_mm.width - 0.8, kSheet_mm.height - 0.8);
+        const cv::Rect2d sheet(0.4, 0.4, sheet_mm.width - 0.8, sheet_mm.height - 0.8);
         return sheet.contains(mm) &&
                std::none_of(unjudged_.begin(), unjudged_.end(),
                             [&](const cv::Rect2d& r) { return r.contains(mm); });
@@ -145,7 +146,7 @@ Walk walk_along(const Polyline& line) {
         const cv::Point2d side = line.points[(i + 1) % line.points.size()] - from;
         const double length = cv::norm(side);
         if (length <= 0.0) continue;
-        const int steps = std::max(1, static_cast<int>(std::ceil(length / kStep_mm)));
+        const int steps = std::max(1, static_cast<int>(std::ceil(length / sample_step_mm)));
         for (int k = 0; k < steps; ++k) {
             walk.points.push_back(from + side * ((k + 0.5) / steps));
             walk.normals.emplace_back(-side.y / length, side.x / length);
@@ -175,7 +176,7 @@ void add_stretches(const std::vector<std::optional<cv::Point2d>>& points, bool i
     for (std::size_t i = 0; i < points.size(); ++i) {
         const auto& point = points[(start + i) % points.size()];
         if (point &&
-            (line.points.empty() || cv::norm(*point - line.points.back()) < 3.0 * kStep_mm)) {
+            (line.points.empty() || cv::norm(*point - line.points.back()) < 3.0 * sample_step_mm)) {
             line.points.push_back(*point);
         } else {
             finish();
@@ -214,7 +215,7 @@ double distance_mm(const cv::Point2d& at, const Polyline& line) {
 /// Returns true if the stroke itself goes on there, round a corner.
 bool is_own(const Paint& paint, const cv::Point2d& at) {
     return std::any_of(paint.lines.begin(), paint.lines.end(), [&](const Polyline& line) {
-        return distance_mm(at, line) < 0.5 * paint.width_mm + 0.5 * kBeside_mm;
+        return distance_mm(at, line) < 0.5 * paint.width_mm + 0.5 * beside_mm;
     });
 }
 
@@ -222,7 +223,7 @@ bool is_own(const Paint& paint, const cv::Point2d& at) {
 std::optional<cv::Point2d> seen_stroke(const Sheet& sheet, const Paint& paint,
                                        const cv::Point2d& at, const cv::Point2d& across) {
     if (!sheet.is_asked(at) || !is_inside(at, paint)) return std::nullopt;
-    const cv::Point2d beside = across * (0.5 * paint.width_mm + kBeside_mm);
+    const cv::Point2d beside = across * (0.5 * paint.width_mm + beside_mm);
     const bool left = sheet.differ(at, at + beside);
     const bool right = sheet.differ(at, at - beside);
     if (!left && !right) return std::nullopt;
@@ -233,7 +234,7 @@ std::optional<cv::Point2d> seen_stroke(const Sheet& sheet, const Paint& paint,
 std::optional<cv::Point2d> seen_border(const Sheet& sheet, const cv::Point2d& at,
                                        const cv::Point2d& across) {
     if (!sheet.is_asked(at)) return std::nullopt;
-    if (!sheet.differ(at + across * kBeside_mm, at - across * kBeside_mm)) return std::nullopt;
+    if (!sheet.differ(at + across * beside_mm, at - across * beside_mm)) return std::nullopt;
     return at;
 }
 
@@ -268,7 +269,7 @@ void add_seen(const Sheet& sheet, const Paint& paint, const Polyline& line,
               std::vector<SeenLine>& out) {
     Polyline whole = line;
     whole.is_closed |= paint.width_mm <= 0.0;
-    if (paint.width_mm > kWidestLine_mm) {
+    if (paint.width_mm > widest_line_mm) {
         for (const Polyline& side : sides_of(line, paint.width_mm))
             add_seen(sheet, Paint{}, side, out);
         return;

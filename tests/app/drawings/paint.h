@@ -13,9 +13,9 @@
 namespace touchline::testing {
 
 /// The area of a 2diy gen 3, which every drawing has.
-inline const cv::Size2d kSheet_mm(116.0, 84.0);
+inline const cv::Size2d sheet_mm(116.0, 84.0);
 /// A stroke up to this width is one line, along its middle; a wider one has two sides.
-inline constexpr double kWidestLine_mm = 3.0;
+inline constexpr double widest_line_mm = 3.0;
 
 /// One thing, painted over everything before.
 struct Paint {
@@ -38,16 +38,16 @@ struct Drawing {
     bool has_words_in_pixels = false;  // the kiosk reads them before all is felt
 };
 
-/// A line that can be seen, in even steps of kStep_mm or less.
+/// A line that can be seen, in even steps of sample_step_mm or less.
 struct SeenLine {
     std::vector<cv::Point2d> points;
     bool is_closed = false;
     bool is_border = false;  // of an area; otherwise the middle of a stroke
 };
 
-inline constexpr double kStep_mm = 0.25;
+inline constexpr double sample_step_mm = 0.25;
 
-/// Returns the middle of strokes up to kWidestLine_mm, or their one side that differs from what is
+/// Returns the middle of strokes up to widest_line_mm, or their one side that differs from what is
 /// beside it, and the sides of areas and wider strokes; all only where the colours on both sides
 /// differ. O(sheet + lines).
 [[nodiscard]] std::vector<SeenLine> seen_lines(const Drawing& drawing);

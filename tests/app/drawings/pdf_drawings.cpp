@@ -8,12 +8,12 @@ namespace touchline::testing {
 namespace {
 
 constexpr int columns = 3;
-constexpr int kRows = 2;
+constexpr int figure_rows = 2;
 
 }  // namespace
 
 int pdf_page_count() {
-    const int cells = columns * kRows;
+    const int cells = columns * figure_rows;
     return (static_cast<int>(pdf_figures().size()) + cells - 1) / cells;
 }
 
@@ -21,12 +21,12 @@ Drawing pdf_page(int number) {
     Chance chance(900'000 + number);
     PdfSheet sheet(chance);
     std::string names;
-    for (int cell = 0; cell < columns * kRows; ++cell) {
-        const auto kind = static_cast<std::size_t>(columns * kRows * number + cell);
+    for (int cell = 0; cell < columns * figure_rows; ++cell) {
+        const auto kind = static_cast<std::size_t>(columns * figure_rows * number + cell);
         const PdfFigure& figure = pdf_figures()[kind % pdf_figures().size()];
         figure.draw(sheet, chance,
-                    {kSheet_mm.width * (cell % columns + 0.5) / columns,
-                     kSheet_mm.height * (cell / columns + 0.5) / kRows});
+                    {sheet_mm.width * (cell % columns + 0.5) / columns,
+                     sheet_mm.height * (cell / columns + 0.5) / figure_rows});
         names += fmt::format("{}{}", names.empty() ? "" : ", ", figure.name);
     }
     Drawing out = sheet.drawing();

@@ -12,7 +12,7 @@
 namespace touchline::testing {
 namespace {
 
-constexpr double kFigure_mm = 15.0;  // radius
+constexpr double figure_mm = 15.0;  // radius
 
 using Place = cv::Point2d;
 
@@ -30,29 +30,28 @@ Polyline box_about(const Place& at, double half_width, double half_height) {
 }
 
 void outline_figure(PdfSheet& sheet, Chance& chance, const Place& at) {
-    sheet.paint(
-        stroked(any_form(chance, at, kFigure_mm).line, pen_mm(chance), any_ink(chance).bgr));
+    sheet.paint(stroked(any_form(chance, at, figure_mm).line, pen_mm(chance), any_ink(chance).bgr));
 }
 
 void open_figure(PdfSheet& sheet, Chance& chance, const Place& at) {
     sheet.paint(
-        stroked(open_form(chance, at, kFigure_mm).line, pen_mm(chance), any_ink(chance).bgr));
+        stroked(open_form(chance, at, figure_mm).line, pen_mm(chance), any_ink(chance).bgr));
 }
 
 void hair_figure(PdfSheet& sheet, Chance& chance, const Place& at) {
-    sheet.paint(stroked(any_form(chance, at, kFigure_mm).line, chance.between(0.06, 0.2),
+    sheet.paint(stroked(any_form(chance, at, figure_mm).line, chance.between(0.06, 0.2),
                         any_ink(chance).bgr));
 }
 
 void dashed_figure(PdfSheet& sheet, Chance& chance, const Place& at) {
-    Paint paint = stroked(any_form(chance, at, kFigure_mm).line, chance.between(0.4, 1.0),
+    Paint paint = stroked(any_form(chance, at, figure_mm).line, chance.between(0.4, 1.0),
                           any_ink(chance).bgr);
     paint.dashes_mm = {chance.between(1.6, 5.0), chance.between(1.2, 2.8)};
     sheet.paint(paint);
 }
 
 void dotted_figure(PdfSheet& sheet, Chance& chance, const Place& at) {
-    Paint paint = stroked(any_form(chance, at, kFigure_mm).line, chance.between(1.0, 1.6),
+    Paint paint = stroked(any_form(chance, at, figure_mm).line, chance.between(1.0, 1.6),
                           any_ink(chance).bgr);
     paint.dashes_mm = {0.0, chance.between(2.6, 3.6)};
     sheet.paint(paint);
@@ -63,7 +62,7 @@ void broad_figure(PdfSheet& sheet, Chance& chance, const Place& at) {
 }
 
 void crossing_figure(PdfSheet& sheet, Chance& chance, const Place& at) {
-    Paint paint = filled(crossing_star(chance, at, kFigure_mm), any_ink(chance).bgr);
+    Paint paint = filled(crossing_star(chance, at, figure_mm), any_ink(chance).bgr);
     paint.is_even_odd = chance.coin();
     sheet.paint(paint);
 }
@@ -73,7 +72,7 @@ void ring_figure(PdfSheet& sheet, Chance& chance, const Place& at) {
     const bool is_even_odd = chance.coin();
     if (!is_even_odd) std::ranges::reverse(inner.points);
     sheet.paint(
-        {{arc(at, {kFigure_mm, kFigure_mm}), inner}, 0.0, is_even_odd, {}, any_ink(chance).bgr});
+        {{arc(at, {figure_mm, figure_mm}), inner}, 0.0, is_even_odd, {}, any_ink(chance).bgr});
 }
 
 void united_figure(PdfSheet& sheet, Chance& chance, const Place& at) {
@@ -117,7 +116,7 @@ void uneven_pen_figure(PdfSheet& sheet, Chance& chance, const Place& at) {
     const Matrix units{chance.between(0.6, 1.0),  chance.between(-0.4, 0.4),
                        chance.between(-0.5, 0.5), chance.between(0.5, 0.9),
                        chance.between(0.0, 50.0), chance.between(0.0, 50.0)};
-    sheet.paint(stroked(any_form(chance, at, kFigure_mm).line, chance.between(0.6, 2.6),
+    sheet.paint(stroked(any_form(chance, at, figure_mm).line, chance.between(0.6, 2.6),
                         any_ink(chance).bgr),
                 units);
 }
@@ -161,7 +160,7 @@ void tiled_figure(PdfSheet& sheet, Chance& chance, const Place& at) {
 
 /// Shading: one dark colour blends into another, along a line or outwards.
 void shaded_figure(PdfSheet& sheet, Chance& chance, const Place& at) {
-    const Form form = any_form(chance, at, kFigure_mm);
+    const Form form = any_form(chance, at, figure_mm);
     const std::string way =
         chance.coin()
             ? fmt::format("/ShadingType 2 /Coords [{} {} {} {}]", at.x - 12, at.y, at.x + 12, at.y)
@@ -179,29 +178,29 @@ void shaded_figure(PdfSheet& sheet, Chance& chance, const Place& at) {
 }
 
 void light_on_dark_figure(PdfSheet& sheet, Chance& chance, const Place& at) {
-    sheet.paint(filled(box_about(at, kFigure_mm, kFigure_mm), any_ink(chance).bgr));
+    sheet.paint(filled(box_about(at, figure_mm, figure_mm), any_ink(chance).bgr));
     sheet.paint(stroked(any_form(chance, at, 9.0).line, chance.between(0.6, 1.4), {255, 255, 255}));
 }
 
 void edged_figure(PdfSheet& sheet, Chance& chance, const Place& at) {
-    const Form form = any_form(chance, at, kFigure_mm);
+    const Form form = any_form(chance, at, figure_mm);
     sheet.paint(filled(form.line, {128, chance.between(100, 230), 191}));
     sheet.paint(stroked(form.line, chance.between(0.3, 0.6), {26, 26, 26}));
 }
 
 /// An image of pixels: a dark box on white.
 void picture_figure(PdfSheet& sheet, Chance&, const Place& at) {
-    constexpr int kWidth = 120;
-    constexpr int kHeight = 100;
+    constexpr int width_px = 120;
+    constexpr int height_px = 100;
     std::string pixels;
-    for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < kWidth; ++x)
+    for (int y = 0; y < height_px; ++y)
+        for (int x = 0; x < width_px; ++x)
             pixels += x >= 30 && x < 90 && y >= 20 && y < 70 ? '\x30' : '\xff';
     const std::string image = sheet.add_resource(
         "/XObject",
         sheet.add_object(stream_of(fmt::format("/Type /XObject /Subtype /Image /Width {} /Height "
                                                "{} /BitsPerComponent 8 /ColorSpace /DeviceGray",
-                                               kWidth, kHeight),
+                                               width_px, height_px),
                                    pixels)));
     sheet.write(
         fmt::format("q 24 0 0 -20 {:.4f} {:.4f} cm {} Do Q\n", at.x - 12.0, at.y + 10.0, image));
@@ -210,7 +209,7 @@ void picture_figure(PdfSheet& sheet, Chance&, const Place& at) {
 
 void label_figure(PdfSheet& sheet, Chance& chance, const Place& at) {
     sheet.paint(
-        stroked(box_about(at, kFigure_mm, 8.0), chance.between(0.4, 1.0), any_ink(chance).bgr));
+        stroked(box_about(at, figure_mm, 8.0), chance.between(0.4, 1.0), any_ink(chance).bgr));
     sheet.say("Harbour", at + Place(-12.0, 1.6), chance.between(2.4, 5.2));
 }
 

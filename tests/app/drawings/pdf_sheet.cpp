@@ -13,8 +13,8 @@ namespace {
 /// Maps the sheet to a page with this many points per millimetre, which a viewer turns clockwise by
 /// so many quarters.
 Matrix page_matrix(double k, int quarter_turns) {
-    const double width = k * kSheet_mm.width;
-    const double height = k * kSheet_mm.height;
+    const double width = k * sheet_mm.width;
+    const double height = k * sheet_mm.height;
     switch (quarter_turns) {
         case 1:
             return {0, k, k, 0, 0, 0};
@@ -95,7 +95,7 @@ std::string PdfSheet::operators_of(const Paint& paint, const Matrix& units) {
         return fmt::format("{}{} rg {}{} Q\n", out, colour_of(paint.colour), path,
                            paint.is_even_odd ? "f*" : "f");
     const double to_length = 1.0 / most_stretch(units);
-    const bool is_broad = paint.width_mm > kWidestLine_mm;
+    const bool is_broad = paint.width_mm > widest_line_mm;
     const bool is_dots = !paint.dashes_mm.empty() && paint.dashes_mm.front() <= 0.0;
     const int join = is_broad ? 1 : chance_.below(3);
     const int cap = is_broad || is_dots ? 1 : paint.dashes_mm.empty() ? chance_.below(3) : 0;
@@ -131,7 +131,7 @@ Matrix PdfSheet::units_of_patterns() const {
 }
 
 cv::Size2d PdfSheet::size_pt() const {
-    const cv::Size2d upright = kSheet_mm * pt_per_mm_;
+    const cv::Size2d upright = sheet_mm * pt_per_mm_;
     return quarter_turns_ % 2 == 1 ? cv::Size2d(upright.height, upright.width) : upright;
 }
 

@@ -13,7 +13,7 @@
 namespace touchline {
 namespace {
 
-constexpr double kPt_per_mm = 5.0;  // on a page of 580 x 420
+constexpr double pt_per_mm = 5.0;  // on a page of 580 x 420
 
 /// A house with a door, a window and a path, in points from the lower left corner.
 const std::vector<std::vector<cv::Point2d>>& house() {
@@ -27,10 +27,10 @@ const std::vector<std::vector<cv::Point2d>>& house() {
     return lines;
 }
 
-constexpr double kPen_pt = 2.5;
+constexpr double pen_pt = 2.5;
 
 std::string drawn() {
-    std::string content = fmt::format("0 G {} w ", kPen_pt);
+    std::string content = fmt::format("0 G {} w ", pen_pt);
     for (const auto& line : house()) {
         for (std::size_t i = 0; i < line.size(); ++i)
             content += fmt::format("{} {} {} ", line[i].x, line[i].y, i == 0 ? "m" : "l");
@@ -44,9 +44,9 @@ std::vector<testing::Paint> painted_house() {
     for (const auto& line : house()) {
         testing::Polyline on_sheet;
         for (const cv::Point2d& p : line)
-            on_sheet.points.emplace_back(p.x / kPt_per_mm,
-                                         testing::kSheet_mm.height - p.y / kPt_per_mm);
-        paints.push_back({{on_sheet}, kPen_pt / kPt_per_mm});
+            on_sheet.points.emplace_back(p.x / pt_per_mm,
+                                         testing::sheet_mm.height - p.y / pt_per_mm);
+        paints.push_back({{on_sheet}, pen_pt / pt_per_mm});
     }
     return paints;
 }
@@ -65,7 +65,7 @@ Found found_with(const std::string& before, const std::string& after) {
                      {"<< /Type /Font /Subtype /Type1 /BaseFont /ZapfDingbats >>",
                       "<< /Type /Font /Subtype /TrueType /BaseFont /Wingdings >>"}))
         drawing.file.push_back(static_cast<char>(byte));
-    const auto felt = testing::felt_of(drawing, most_detail, testing::kTolerance_mm);
+    const auto felt = testing::felt_of(drawing, most_detail, testing::usual_tolerance_mm);
     EXPECT_TRUE(felt.has_value()) << felt.error().line;
     if (!felt) return {};
     Found found{felt->seen.share(), felt->felt.wrong_mm + felt->felt.too_near_mm, {}};

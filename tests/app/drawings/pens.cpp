@@ -36,9 +36,9 @@ Polyline wave(const cv::Point2d& from, const cv::Point2d& to, double height, dou
     Polyline line;
     const cv::Point2d along = to - from;
     const cv::Point2d across = cv::Point2d(-along.y, along.x) / cv::norm(along);
-    constexpr int kSteps = 120;
-    for (int i = 0; i <= kSteps; ++i) {
-        const double t = static_cast<double>(i) / kSteps;
+    constexpr int curve_steps = 120;
+    for (int i = 0; i <= curve_steps; ++i) {
+        const double t = static_cast<double>(i) / curve_steps;
         line.points.push_back(from + t * along +
                               height * std::sin(2.0 * std::numbers::pi * waves * t) * across);
     }
@@ -54,13 +54,13 @@ std::string stroked_path(const Polyline& line, double width_mm, const cv::Scalar
 }  // namespace
 
 std::span<const Dashing> dashings() {
-    static const std::array<Dashing, 6> kDashings{{{1.0, 1.0, 0.4, false, {0, 0, 0}},
-                                                   {2.0, 4.0, 0.8, true, {40, 39, 214}},
-                                                   {4.0, 2.5, 0.5, false, {14, 150, 240}},
-                                                   {6.0, 4.0, 1.5, true, {0, 0, 0}},
-                                                   {0.0, 2.5, 1.0, true, {40, 39, 214}},
-                                                   {0.0, 1.5, 0.8, false, {0, 0, 0}}}};
-    return kDashings;
+    static const std::array<Dashing, 6> dash_patterns{{{1.0, 1.0, 0.4, false, {0, 0, 0}},
+                                                       {2.0, 4.0, 0.8, true, {40, 39, 214}},
+                                                       {4.0, 2.5, 0.5, false, {14, 150, 240}},
+                                                       {6.0, 4.0, 1.5, true, {0, 0, 0}},
+                                                       {0.0, 2.5, 1.0, true, {40, 39, 214}},
+                                                       {0.0, 1.5, 0.8, false, {0, 0, 0}}}};
+    return dash_patterns;
 }
 
 Drawing dashed_drawing(const Dashing& dashing, int seed) {

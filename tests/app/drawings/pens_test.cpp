@@ -51,7 +51,7 @@ TEST(Pens, ABrokenLineInAFlatPictureIsOneAndIsNamedSo) {
             const auto drawing =
                 is_scan ? testing::scanned(clean, 1) : testing::as_pixels(clean, {});
             ASSERT_TRUE(drawing.has_value()) << drawing.error().line;
-            const auto found = testing::felt_of(*drawing, most_detail, testing::kTolerance_mm);
+            const auto found = testing::felt_of(*drawing, most_detail, testing::usual_tolerance_mm);
             ASSERT_TRUE(found.has_value()) << drawing->name << ": " << found.error().line;
             fmt::print("{}: {:.1f} % felt, {:.0f} of {:.0f} mm named\n", drawing->name,
                        100.0 * found->seen.share(), named_mm(found->map), dashed_mm(clean));
@@ -66,15 +66,15 @@ TEST(Pens, ABrokenLineInAFlatPictureIsOneAndIsNamedSo) {
 }
 
 TEST(Pens, AStrokeIsALineOrAnAreaThroughAllThatItCrosses) {
-    constexpr int kSeeds = 10;
+    constexpr int most_seeds = 10;
     testing::Counted seen;
     testing::Counted felt;
-    for (int seed = 0; seed < kSeeds; ++seed) {
+    for (int seed = 0; seed < most_seeds; ++seed) {
         const testing::Drawing clean = testing::crossing_strokes(seed);
         const auto drawing =
             seed % 2 == 1 ? testing::scanned(clean, seed) : testing::as_pixels(clean, {});
         ASSERT_TRUE(drawing.has_value()) << drawing.error().line;
-        const auto found = testing::felt_of(*drawing, most_detail, testing::kTolerance_mm);
+        const auto found = testing::felt_of(*drawing, most_detail, testing::usual_tolerance_mm);
         ASSERT_TRUE(found.has_value()) << drawing->name << ": " << found.error().line;
         seen += found->seen;
         felt += found->felt;
@@ -91,7 +91,7 @@ TEST(Pens, BrokenLinesAloneAreFeltAndNamed) {
             const auto drawing = is_pixels ? testing::as_pixels(clean, {}) : clean;
             ASSERT_TRUE(drawing.has_value()) << drawing.error().line;
             for (const int detail : {3, most_detail}) {
-                const auto found = testing::felt_of(*drawing, detail, testing::kTolerance_mm);
+                const auto found = testing::felt_of(*drawing, detail, testing::usual_tolerance_mm);
                 ASSERT_TRUE(found.has_value()) << drawing->name << ": " << found.error().line;
                 const double named = named_mm(found->map) / dashed_mm(clean);
                 fmt::print("{}, detail {}: {:.1f} % felt, {:.1f} % named\n", drawing->name, detail,
@@ -109,7 +109,7 @@ TEST(Pens, AThinFilledOutlineIsOneLine) {
             for (const int detail : {3, most_detail}) {
                 const testing::Drawing drawing = testing::thin_fills(width_mm, is_even_odd);
                 SCOPED_TRACE(fmt::format("{}, detail {}", drawing.name, detail));
-                const auto found = testing::felt_of(drawing, detail, testing::kTolerance_mm);
+                const auto found = testing::felt_of(drawing, detail, testing::usual_tolerance_mm);
                 ASSERT_TRUE(found.has_value()) << found.error().line;
                 ASSERT_EQ(found->map.outlines.size(), 2U);
                 for (const Outline& outline : found->map.outlines) EXPECT_TRUE(outline.is_closed);

@@ -70,12 +70,12 @@ class Placing {
         : wide_(1.0 - bed.free_left - bed.free_right),
           high_(1.0 - bed.free_top - bed.free_bottom),
           turn_rad_(turn_deg * std::numbers::pi / 180.0),
-          middle_(kSheet_mm.width * (bed.free_left + 0.5 * wide_),
-                  kSheet_mm.height * (bed.free_top + 0.5 * high_)) {}
+          middle_(sheet_mm.width * (bed.free_left + 0.5 * wide_),
+                  sheet_mm.height * (bed.free_top + 0.5 * high_)) {}
 
     [[nodiscard]] cv::Point2d operator()(const cv::Point2d& mm) const {
-        const double x = wide_ * (mm.x - 0.5 * kSheet_mm.width);
-        const double y = high_ * (mm.y - 0.5 * kSheet_mm.height);
+        const double x = wide_ * (mm.x - 0.5 * sheet_mm.width);
+        const double y = high_ * (mm.y - 0.5 * sheet_mm.height);
         const double c = std::cos(turn_rad_);
         const double s = std::sin(turn_rad_);
         return middle_ + cv::Point2d(c * x - s * y, s * x + c * y);
@@ -120,7 +120,7 @@ class Placing {
 /// The sheet's own shape in pixels of the drawing: rounded, with holes; 255 inside. real: a
 /// millimetre of paper at the hand.
 cv::Mat form_of(const Bed& bed, double real, cv::Size size) {
-    const double px_mm = size.width / kSheet_mm.width;
+    const double px_mm = size.width / sheet_mm.width;
     const int r = static_cast<int>(bed.corner_mm * px_mm);
     cv::Mat form(size, CV_8U, cv::Scalar(255));
     if (r > 0) {
@@ -142,9 +142,9 @@ cv::Mat form_of(const Bed& bed, double real, cv::Size size) {
 }
 
 cv::Mat on_bed(const cv::Mat& sheet, const Bed& bed, const Placing& placing, Chance& chance) {
-    const double px_mm = sheet.cols / kSheet_mm.width;
+    const double px_mm = sheet.cols / sheet_mm.width;
     const cv::Matx23d way = placing.in_pixels(px_mm);
-    const double real = kSheet_mm.width / (chance.coin() ? 297.0 : 210.0);
+    const double real = sheet_mm.width / (chance.coin() ? 297.0 : 210.0);
     cv::Mat there;
     cv::Mat form;
     cv::warpAffine(sheet, there, way, sheet.size(), cv::INTER_LINEAR, cv::BORDER_REPLICATE);

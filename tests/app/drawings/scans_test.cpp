@@ -23,7 +23,7 @@ int seeds_of_scans() {
 void add_scan(const Result<testing::Drawing>& scan, double least_share, testing::Counted& seen,
               testing::Counted& felt) {
     ASSERT_TRUE(scan.has_value()) << scan.error().line;
-    const auto found = testing::felt_of(*scan, most_detail, testing::kTolerance_mm);
+    const auto found = testing::felt_of(*scan, most_detail, testing::usual_tolerance_mm);
     ASSERT_TRUE(found.has_value()) << scan->name << ": " << found.error().line;
     seen += found->seen;
     felt += found->felt;

@@ -25,8 +25,8 @@ struct SvgFeature {
 /// Returns an SVG of the sheet's size around `body`.
 [[nodiscard]] std::string svg_sheet(std::string_view body);
 
-inline const cv::Point2d kLeftHalf_mm(30.0, 42.0);
-inline const cv::Point2d kRightHalf_mm(86.0, 42.0);
+inline const cv::Point2d left_half_mm(30.0, 42.0);
+inline const cv::Point2d right_half_mm(86.0, 42.0);
 
 /// One of eight dark colours.
 struct Ink {

@@ -21,8 +21,8 @@ std::string points_of(const Polyline& line) {
 }
 
 Drawing fill_rules(Chance& chance) {
-    const Polyline left = crossing_star(chance, kLeftHalf_mm, 26.0);
-    const Polyline right = crossing_star(chance, kRightHalf_mm, 26.0);
+    const Polyline left = crossing_star(chance, left_half_mm, 26.0);
+    const Polyline right = crossing_star(chance, right_half_mm, 26.0);
     const Ink ink = any_ink(chance);
     Paint hollow = filled(right, ink.bgr);
     hollow.is_even_odd = true;
@@ -35,7 +35,7 @@ Drawing fill_rules(Chance& chance) {
 Drawing holes(Chance& chance) {
     std::string body;
     Drawing out;
-    for (const cv::Point2d& at : {kLeftHalf_mm, kRightHalf_mm}) {
+    for (const cv::Point2d& at : {left_half_mm, right_half_mm}) {
         const Polyline outer = arc(at, {24, 24});
         Polyline inner = arc(at, {12, 12});
         const bool turns_back = chance.coin();
@@ -54,7 +54,7 @@ Drawing holes(Chance& chance) {
 Drawing closed_by_filling(Chance& chance) {
     std::string body;
     std::vector<Paint> paints;
-    for (const cv::Point2d& at : {kLeftHalf_mm, kRightHalf_mm}) {
+    for (const cv::Point2d& at : {left_half_mm, right_half_mm}) {
         const Form form = open_form(chance, at, 24.0);
         const Ink ink = any_ink(chance);
         body += with(form, fmt::format(R"(fill="{}")", ink.css));
@@ -66,7 +66,7 @@ Drawing closed_by_filling(Chance& chance) {
 Drawing outlined(Chance& chance) {
     std::string body;
     std::vector<Paint> paints;
-    for (const cv::Point2d& at : {kLeftHalf_mm, kRightHalf_mm}) {
+    for (const cv::Point2d& at : {left_half_mm, right_half_mm}) {
         const Form form = any_form(chance, at, 23.0);
         const double width = pen_mm(chance);
         const Ink ink = any_ink(chance);
@@ -84,7 +84,7 @@ Drawing outlined(Chance& chance) {
 Drawing wide_strokes(Chance& chance) {
     std::string body;
     std::vector<Paint> paints;
-    for (const cv::Point2d& at : {kLeftHalf_mm, kRightHalf_mm}) {
+    for (const cv::Point2d& at : {left_half_mm, right_half_mm}) {
         const Form form = chance.coin() ? form_of_kind(chance.below(4), chance, at, 20.0)
                                         : open_form(chance, at, 20.0);
         const double width = chance.between(4.5, 9.0);
@@ -102,7 +102,7 @@ Drawing wide_strokes(Chance& chance) {
 Drawing caps(Chance& chance) {
     std::string body;
     std::vector<Paint> paints;
-    for (const cv::Point2d& at : {kLeftHalf_mm, kRightHalf_mm}) {
+    for (const cv::Point2d& at : {left_half_mm, right_half_mm}) {
         const Form form = open_form(chance, at, 23.0);
         const double width = pen_mm(chance);
         const Ink ink = any_ink(chance);
@@ -120,7 +120,7 @@ Drawing caps(Chance& chance) {
 Drawing dashes(Chance& chance) {
     std::string body;
     std::vector<Paint> paints;
-    for (const cv::Point2d& at : {kLeftHalf_mm, kRightHalf_mm}) {
+    for (const cv::Point2d& at : {left_half_mm, right_half_mm}) {
         const Form form = any_form(chance, at, 23.0);
         const double width = chance.between(0.5, 1.2);
         const bool is_dots = chance.coin();
@@ -143,7 +143,7 @@ Drawing dashes(Chance& chance) {
 Drawing filled_and_outlined(Chance& chance) {
     std::string body;
     std::vector<Paint> paints;
-    for (const cv::Point2d& at : {kLeftHalf_mm, kRightHalf_mm}) {
+    for (const cv::Point2d& at : {left_half_mm, right_half_mm}) {
         const Form form = any_form(chance, at, 23.0);
         const double width = pen_mm(chance);
         body += with(
@@ -185,8 +185,8 @@ Drawing painted_over(Chance& chance) {
 
 /// Elements that exist but cannot be seen, each hidden in one of several ways.
 Drawing hidden(Chance& chance) {
-    const Form form = any_form(chance, kLeftHalf_mm, 23.0);
-    const Form other = any_form(chance, kRightHalf_mm, 23.0);
+    const Form form = any_form(chance, left_half_mm, 23.0);
+    const Form other = any_form(chance, right_half_mm, 23.0);
     const std::array<std::string, 7> ways{R"(display="none")",
                                           R"(visibility="hidden")",
                                           R"(fill="none" stroke="none")",
@@ -205,8 +205,8 @@ Drawing hidden(Chance& chance) {
 }
 
 Drawing gradients(Chance& chance) {
-    const Form left = any_form(chance, kLeftHalf_mm, 23.0);
-    const Form right = any_form(chance, kRightHalf_mm, 23.0);
+    const Form left = any_form(chance, left_half_mm, 23.0);
+    const Form right = any_form(chance, right_half_mm, 23.0);
     Drawing out = sheet(
         fmt::format(R"(<defs><linearGradient id="a"><stop offset="0" stop-color="#203080"/>)"
                     R"(<stop offset="1" stop-color="#603020"/></linearGradient><radialGradient )"
@@ -218,8 +218,8 @@ Drawing gradients(Chance& chance) {
 }
 
 Drawing style_sheet(Chance& chance) {
-    const Form left = any_form(chance, kLeftHalf_mm, 23.0);
-    const Form right = any_form(chance, kRightHalf_mm, 23.0);
+    const Form left = any_form(chance, left_half_mm, 23.0);
+    const Form right = any_form(chance, right_half_mm, 23.0);
     const double width = pen_mm(chance);
     const std::array<std::string, 5> rules{
         fmt::format(".l{{fill:none;stroke:#123456;stroke-width:{:.3f}px}}", width),
@@ -239,7 +239,7 @@ Drawing style_sheet(Chance& chance) {
 }
 
 Drawing texts(Chance& chance) {
-    const Form form = any_form(chance, kRightHalf_mm, 23.0);
+    const Form form = any_form(chance, right_half_mm, 23.0);
     const double width = pen_mm(chance);
     const double size = chance.between(4.0, 8.0);
     Drawing out = sheet(
@@ -252,8 +252,8 @@ Drawing texts(Chance& chance) {
 }
 
 Drawing patterns(Chance& chance) {
-    const Form form = form_of_kind(chance.below(7), chance, kLeftHalf_mm, 22.0);
-    const Form other = any_form(chance, kRightHalf_mm, 23.0);
+    const Form form = form_of_kind(chance.below(7), chance, left_half_mm, 22.0);
+    const Form other = any_form(chance, right_half_mm, 23.0);
     Drawing out =
         sheet(fmt::format(R"(<defs><pattern id="p" width="3" height="3" )"
                           R"(patternUnits="userSpaceOnUse"><path d="M0 0L3 3" stroke="black" )"
@@ -261,7 +261,7 @@ Drawing patterns(Chance& chance) {
                           with(form, R"(fill='url(#p)' stroke="black" stroke-width="1")"),
                           with(other, R"(fill="#204060")")),
               {stroked(form.line, 1.0, {0, 0, 0}), filled(other.line, {0x60, 0x40, 0x20})});
-    out.unjudged.push_back({kLeftHalf_mm.x - 24, kLeftHalf_mm.y - 24, 48, 48});
+    out.unjudged.push_back({left_half_mm.x - 24, left_half_mm.y - 24, 48, 48});
     return out;
 }
 

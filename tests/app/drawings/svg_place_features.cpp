@@ -35,7 +35,7 @@ struct Pair {
 };
 
 Pair any_pair(Chance& chance, double radius_mm = 23.0) {
-    return {any_form(chance, kLeftHalf_mm, radius_mm), any_form(chance, kRightHalf_mm, radius_mm),
+    return {any_form(chance, left_half_mm, radius_mm), any_form(chance, right_half_mm, radius_mm),
             pen_mm(chance), any_ink(chance)};
 }
 
@@ -46,7 +46,7 @@ Drawing in_file(std::string file, std::vector<Paint> paints) {
 Drawing transforms(Chance& chance) {
     std::string body;
     std::vector<Paint> paints;
-    for (const cv::Point2d& at : {kLeftHalf_mm, kRightHalf_mm}) {
+    for (const cv::Point2d& at : {left_half_mm, right_half_mm}) {
         const Form form = any_form(chance, {0.0, 0.0}, 10.0);
         const double k = chance.between(1.5, 2.1);
         const double turn = chance.between(-180.0, 180.0);
@@ -67,7 +67,7 @@ Drawing transforms(Chance& chance) {
 Drawing matrices(Chance& chance) {
     std::string body;
     std::vector<Paint> paints;
-    for (const cv::Point2d& at : {kLeftHalf_mm, kRightHalf_mm}) {
+    for (const cv::Point2d& at : {left_half_mm, right_half_mm}) {
         const Form form = any_form(chance, at, 22.0);
         const Matrix m = chance.coin() ? turn_about(at, chance.between(0.0, 360.0))
                                        : Matrix{-1, 0, 0, 1, 2 * at.x, 0};
@@ -87,7 +87,7 @@ Drawing style_transforms(Chance& chance) {
     const Pair pair = any_pair(chance, 20.0);
     const double turn = chance.between(-30.0, 30.0);
     const Matrix m = turn_about({0, 0}, turn);
-    const cv::Point2d back = kLeftHalf_mm - m.of(kLeftHalf_mm);
+    const cv::Point2d back = left_half_mm - m.of(left_half_mm);
     Polyline turned = m.of(pair.left.line);
     for (cv::Point2d& p : turned.points) p += back;
     return in_file(svg_sheet(fmt::format(
@@ -100,10 +100,10 @@ Drawing style_transforms(Chance& chance) {
 }
 
 Drawing used_again(Chance& chance) {
-    const Form form = any_form(chance, kLeftHalf_mm, 23.0);
+    const Form form = any_form(chance, left_half_mm, 23.0);
     const double width = pen_mm(chance);
     const Ink ink = any_ink(chance);
-    const cv::Point2d over = kRightHalf_mm - kLeftHalf_mm;
+    const cv::Point2d over = right_half_mm - left_half_mm;
     Polyline second = form.line;
     for (cv::Point2d& p : second.points) p += over;
     const std::string attributes =
@@ -154,13 +154,13 @@ Drawing units(Chance& chance) {
         double per_mm;
     };
 
-    constexpr std::array<Unit, 6> kUnits{{{"mm", 1.0},
-                                          {"cm", 0.1},
-                                          {"in", 1 / 25.4},
-                                          {"pt", 72 / 25.4},
-                                          {"pc", 6 / 25.4},
-                                          {"px", 96 / 25.4}}};
-    const Unit unit = kUnits[static_cast<std::size_t>(chance.below(6))];
+    constexpr std::array<Unit, 6> all_units{{{"mm", 1.0},
+                                             {"cm", 0.1},
+                                             {"in", 1 / 25.4},
+                                             {"pt", 72 / 25.4},
+                                             {"pc", 6 / 25.4},
+                                             {"px", 96 / 25.4}}};
+    const Unit unit = all_units[static_cast<std::size_t>(chance.below(6))];
     const double width = pen_mm(chance);
     const double r = chance.between(15.0, 25.0);
     const auto length = [&](double mm) {
@@ -176,7 +176,7 @@ Drawing units(Chance& chance) {
     return in_file(
         fmt::format(R"(<svg {} width="{}" height="{}">{}</svg>)", namespaces, length(116),
                     length(84), body),
-        {stroked(arc(kLeftHalf_mm, {r, r}), width, {0, 0, 0}), filled(box, {0x80, 0x40, 0x20})});
+        {stroked(arc(left_half_mm, {r, r}), width, {0, 0, 0}), filled(box, {0x80, 0x40, 0x20})});
 }
 
 Drawing percents(Chance& chance) {
@@ -188,13 +188,13 @@ Drawing percents(Chance& chance) {
                     R"(stroke="black" stroke-width="{:.4f}"/><ellipse cx="75%" cy="50%" )"
                     R"(rx="{:.4f}%" ry="{:.4f}%" fill="#206040"/>)",
                     50 - h / 2, w, h, width, w / 2, h / 2);
-    const double x = 0.05 * kSheet_mm.width;
-    const double y = (0.5 - h / 200) * kSheet_mm.height;
-    const double right = x + w / 100 * kSheet_mm.width;
-    const double bottom = y + h / 100 * kSheet_mm.height;
+    const double x = 0.05 * sheet_mm.width;
+    const double y = (0.5 - h / 200) * sheet_mm.height;
+    const double right = x + w / 100 * sheet_mm.width;
+    const double bottom = y + h / 100 * sheet_mm.height;
     const Polyline box{{{x, y}, {right, y}, {right, bottom}, {x, bottom}}, true};
-    const Polyline oval = arc({0.75 * kSheet_mm.width, 42.0},
-                              {w / 200 * kSheet_mm.width, h / 200 * kSheet_mm.height});
+    const Polyline oval =
+        arc({0.75 * sheet_mm.width, 42.0}, {w / 200 * sheet_mm.width, h / 200 * sheet_mm.height});
     const std::string_view size = chance.coin() ? R"(width="100%" height="100%")" : "";
     return in_file(
         fmt::format(R"(<svg {} {} viewBox="0 0 116 84">{}</svg>)", namespaces, size, body),
@@ -291,8 +291,8 @@ Drawing markers(Chance& chance) {
 }
 
 Drawing shadows(Chance& chance) {
-    const Form left = form_of_kind(chance.below(5), chance, kLeftHalf_mm, 22.0);
-    const Form right = form_of_kind(chance.below(5), chance, kRightHalf_mm, 22.0);
+    const Form left = form_of_kind(chance.below(5), chance, left_half_mm, 22.0);
+    const Form right = form_of_kind(chance.below(5), chance, right_half_mm, 22.0);
     const Ink ink = any_ink(chance);
     const std::string body = fmt::format(
         R"(<filter id="s" x="-20%" y="-20%" width="150%" height="150%"><feGaussianBlur )"

@@ -174,7 +174,7 @@ TEST_F(StickSourceTest, TheEndOfTheSessionIsToldToThePort) {
 
 TEST(StickSourceOfAFolder, OffersWhatIsPutThere) {
     const StickFolder folder;
-    StickSource sticks(std::make_unique<FolderPort>(folder.root()), TOUCHLINE_IMPORT);
+    StickSource sticks(open_stick_port(folder.root()), TOUCHLINE_IMPORT);
     std::int64_t now_ns = 0;
     const auto next = [&] {
         for (;;) {

@@ -1,5 +1,5 @@
 // Writes every screen in every language as one picture, for viewing.
-#include "app/documents/decode/png_writer.h"
+#include "app/documents/decode/picture.h"
 #include "audio-cues/words/words_of.h"
 #include "tests/app/screen/contact_sheet.h"
 #include "tests/app/screen/every_screen.h"

@@ -3,7 +3,7 @@
 //   window_probe OUT.png [SIZE 0 ... 3]
 // writes what was drawn, says how large it is and how long a frame took, then goes on drawing until
 // its input ends, and writes what it drew last.
-#include "app/documents/decode/png_writer.h"
+#include "app/documents/decode/picture.h"
 #include "app/screen/kiosk_screen.h"
 #include "app/screen/window.h"
 #include "app/visit/proxy_radius.h"

@@ -1,6 +1,6 @@
 // Shows what a simulated hand hears: hear_picture MAP.svg OUT.wav OUT.png
 #include "app/documents/decode/map_svg.h"
-#include "app/documents/decode/png_writer.h"
+#include "app/documents/decode/picture.h"
 #include "tests/audio-cues/hand/hand_sound.h"
 #include "tests/audio-cues/hand/rows_of_picture.h"
 #include "tests/audio-cues/hand/spectrogram.h"

@@ -1,6 +1,7 @@
 #include "audio-cues/output/sound_device.h"
 #include "audio-cues/synth/mixer.h"
 #include "tests/audio-cues/spectrum.h"
+#include "tests/config/scratch_folder.h"
 
 #include <algorithm>
 #include <atomic>
@@ -44,8 +45,8 @@ TEST(SdlDevice, TheDummyDriverAsksForBlocksUntilItIsClosed) {
 }
 
 TEST(SdlDevice, TheDiskDriverHoldsTheMixersSamplesBitForBit) {
-    std::string folder = testing::TempDir() + "soundXXXXXX";
-    ASSERT_NE(mkdtemp(folder.data()), nullptr);
+    const ScratchFolder scratch;
+    const std::string folder = scratch.path();
     const std::string path = folder + "/out.raw";
     setenv("SDL_AUDIODRIVER", "disk", 1);
     setenv("SDL_DISKAUDIOFILE", path.c_str(), 1);
@@ -77,7 +78,6 @@ TEST(SdlDevice, TheDiskDriverHoldsTheMixersSamplesBitForBit) {
     ASSERT_GE(played.size(), sound - begin + expected.size());
     EXPECT_TRUE(std::equal(expected.begin(), expected.end(),
                            played.begin() + static_cast<std::ptrdiff_t>(sound - begin)));
-    std::filesystem::remove_all(folder);
 }
 
 TEST(SdlDevice, WithoutAnyDriverItIsOneClearLine) {

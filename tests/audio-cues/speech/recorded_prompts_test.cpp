@@ -1,6 +1,7 @@
 #include "audio-cues/speech/recorded_prompts.h"
 
 #include "tests/audio-cues/wav_bytes.h"
+#include "tests/config/scratch_folder.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -32,8 +33,8 @@ TEST(Wav, WhatItDoesNotKnowOrIsCutShortIsOneLine) {
 }
 
 TEST(RecordedPrompts, SP8_ReplaceATextOfTheirLanguageAndMissingOnesAreLeftToTheVoice) {
-    std::string folder = testing::TempDir() + "promptsXXXXXX";
-    ASSERT_NE(mkdtemp(folder.data()), nullptr);
+    const ScratchFolder scratch;
+    const std::string folder = scratch.path();
     std::filesystem::create_directory(folder + "/de");
     std::ofstream(folder + "/de/welcome.wav") << wav_bytes(48000, 1, {32767, 0});
     std::ofstream(folder + "/de/broken.wav") << "RIFF";

@@ -1,5 +1,7 @@
 #include "tests/audio-cues/words/glossary.h"
 
+#include "config/types/utf8.h"
+
 #include <algorithm>
 #include <array>
 #include <cctype>

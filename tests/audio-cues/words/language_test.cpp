@@ -1,6 +1,7 @@
 #include "audio-cues/words/language.h"
 
 #include "audio-cues/words/words_of.h"
+#include "tests/config/scratch_folder.h"
 
 #include <algorithm>
 #include <array>
@@ -118,8 +119,8 @@ TEST(Language, AFileThatIsMissingOrNoneIsOneClearLine) {
 }
 
 TEST(Language, AFileMoreIsALanguageMore) {
-    std::string folder = testing::TempDir() + "languagesXXXXXX";
-    ASSERT_NE(mkdtemp(folder.data()), nullptr);
+    const ScratchFolder scratch;
+    const std::string folder = scratch.path();
     std::filesystem::copy_file(TOUCHLINE_CATALOGUES "/de.mo", folder + "/xy.mo");
     std::ofstream(folder + "/no.mo") << "not a catalogue";
     EXPECT_EQ(languages_in(folder).value(), (std::vector<std::string>{"en", "no", "xy"}));

@@ -1,7 +1,6 @@
 #include "vision/camera/folder_camera.h"
 
 #include "app/documents/decode/picture.h"
-#include "app/documents/decode/png_writer.h"
 #include "tests/vision/camera/frames.h"
 
 #include <cstdlib>

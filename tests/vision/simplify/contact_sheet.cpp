@@ -4,7 +4,6 @@
 // below.
 #include "app/documents/decode/files.h"
 #include "app/documents/decode/picture.h"
-#include "app/documents/decode/png_writer.h"
 #include "vision/simplify/trace.h"
 
 #include <cstdio>

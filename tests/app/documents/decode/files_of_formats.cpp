@@ -187,29 +187,4 @@ std::vector<NamedFile> bombs() {
             {"SVG of 10^25 entities", encoders::bytes_of(laughs)}};
 }
 
-Bytes mutated(Bytes bytes, std::mt19937& random) {
-    if (bytes.empty()) return bytes;
-    const auto place = [&] { return static_cast<std::ptrdiff_t>(random() % bytes.size()); };
-    switch (random() % 6) {
-        case 0:
-            bytes.resize(static_cast<std::size_t>(place()) + 1);
-            break;
-        case 1: {
-            const auto [first, last] = std::minmax({place(), place()});
-            bytes.erase(bytes.begin() + first, bytes.begin() + last);
-            break;
-        }
-        case 2: {
-            const auto [first, last] = std::minmax({place(), place()});
-            const Bytes piece(bytes.begin() + first, bytes.begin() + last);
-            bytes.insert(bytes.begin() + place(), piece.begin(), piece.end());
-            break;
-        }
-        default:
-            for (unsigned hits = 1 + random() % 8; hits > 0; --hits)
-                bytes[random() % bytes.size()] = static_cast<std::byte>(random());
-    }
-    return bytes;
-}
-
 }  // namespace touchline

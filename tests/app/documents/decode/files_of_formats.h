@@ -1,9 +1,8 @@
-// A small good file of every format, decompression bombs, and repeatable damage.
+// A small good file of every format, and decompression bombs.
 #pragma once
 
 #include "tests/app/documents/decode/encoders.h"
 
-#include <random>
 #include <string>
 #include <vector>
 
@@ -19,9 +18,6 @@ struct NamedFile {
 
 /// Returns small files that claim to be huge.
 [[nodiscard]] std::vector<NamedFile> bombs();
-
-/// Returns the file with one to eight bytes changed, or a piece cut out, doubled or cut off.
-[[nodiscard]] encoders::Bytes mutated(encoders::Bytes bytes, std::mt19937& random);
 
 /// Returns a tagged PDF with a page for each text: a heading, the text and a figure with `alt`.
 [[nodiscard]] encoders::Bytes tagged_pdf(const std::vector<std::string>& texts,

@@ -1,6 +1,7 @@
 #include "app/documents/decode/files.h"
 
 #include "app/documents/decode/one_line.h"
+#include "tests/config/scratch_folder.h"
 
 #include <filesystem>
 #include <fstream>
@@ -15,13 +16,7 @@ namespace fs = std::filesystem;
 
 class Files : public testing::Test {
   protected:
-    Files() : folder_(testing::TempDir() + "touchline-files-" + std::to_string(::getpid())) {
-        fs::create_directory(folder_);
-    }
-
-    ~Files() override { fs::remove_all(folder_); }
-
-    [[nodiscard]] std::string path(const std::string& name) const { return folder_ / name; }
+    [[nodiscard]] std::string path(const std::string& name) const { return folder_.path_of(name); }
 
     [[nodiscard]] static std::string text_in(const std::string& path) {
         const auto bytes = read_file(path);
@@ -34,11 +29,11 @@ class Files : public testing::Test {
     }
 
     [[nodiscard]] long files_in_folder() const {
-        return std::distance(fs::directory_iterator(folder_), fs::directory_iterator{});
+        return std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator{});
     }
 
   private:
-    fs::path folder_;
+    ScratchFolder folder_;
 };
 
 TEST_F(Files, WhatIsWrittenReadsBackAndNothingElseIsLeft) {

@@ -4,6 +4,7 @@
 #include "tests/app/documents/decode/encoders.h"
 #include "tests/app/documents/decode/files_of_formats.h"
 #include "tests/app/documents/decode/liar_in_place.h"
+#include "tests/config/mutated.h"
 
 #include <algorithm>
 #include <chrono>

@@ -2,9 +2,10 @@
 #include "app/documents/decode/opening.h"
 
 #include "app/documents/decode/files.h"
-#include "app/documents/decode/side_car.h"
+#include "app/documents/decode/one_line.h"
 #include "tests/app/documents/decode/decoding_here.h"
 #include "tests/app/documents/decode/encoders.h"
+#include "tests/config/scratch_folder.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -17,7 +18,6 @@
 
 #include <gtest/gtest.h>
 #include <png.h>
-#include <unistd.h>
 
 namespace touchline {
 namespace {
@@ -80,58 +80,34 @@ TEST(Opening, WithoutTheProgramItSaysSo) {
     EXPECT_NE(page.error().line.find("installed anew"), std::string::npos);
 }
 
-/// A folder for this test, removed at the end.
-class Folder {
-  public:
-    Folder() { std::filesystem::create_directories(path_); }
-
-    ~Folder() { std::filesystem::remove_all(path_); }
-
-    Folder(const Folder&) = delete;
-    Folder(Folder&&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    Folder& operator=(Folder&&) = delete;
-
-    [[nodiscard]] std::string write(const std::string& name,
-                                    const std::vector<std::byte>& bytes) const {
-        const std::string path = (path_ / name).string();
-        EXPECT_TRUE(write_whole_file(path, bytes).has_value());
-        return path;
-    }
-
-  private:
-    std::filesystem::path path_ = std::filesystem::path(testing::TempDir()) /
-                                  ("touchline-opening-" + std::to_string(::getpid()));
-};
-
 TEST(Opening, ATextBesideThePictureTellsOfIt) {
-    const Folder folder;
-    const std::string fish = folder.write("fish.png", encoders::png(encoders::test_picture()));
+    const ScratchFolder folder;
+    const std::string fish =
+        folder.write("fish.png", as_text(encoders::png(encoders::test_picture())));
     EXPECT_EQ(open_page_of(fish)->told.title, "");
-    for (const char* name : {"fish.png.txt", "Fish2.txt"})
-        (void)folder.write(name, encoders::bytes_of("Of another\none"));
+    for (const char* name : {"fish.png.txt", "Fish2.txt"}) folder.write(name, "Of another\none");
     EXPECT_EQ(open_page_of(fish)->told.title, "") << "no text has its name";
-    (void)folder.write("fish.txt", encoders::bytes_of("The fish\nIt swims to the left.\n"));
+    folder.write("fish.txt", "The fish\nIt swims to the left.\n");
     const auto told = open_page_of(fish);
     ASSERT_TRUE(told.has_value()) << told.error().line;
     EXPECT_EQ(told->told.title, "The fish");
     EXPECT_EQ(told->told.description, "It swims to the left.");
     EXPECT_EQ(told->picture.bgr, open_page(encoders::png(encoders::test_picture()))->picture.bgr);
-    (void)folder.write("fish.txt", encoders::bytes_of(std::string(max_side_car_bytes + 1, 'a')));
+    folder.write("fish.txt", std::string(max_side_car_bytes + 1, 'a'));
     EXPECT_EQ(open_page_of(fish)->told.description, "") << "too long to be read";
-    const std::string alone = folder.write("text.txt", encoders::bytes_of("no picture"));
+    const std::string alone = folder.write("text.txt", "no picture");
     EXPECT_EQ(open_page_of(alone).error().line.find(alone + ": "), 0U);
 }
 
 /// The text's words replace the file's own.
 TEST(Opening, ATextBesideTheDrawingGoesBeforeItsOwnTitle) {
-    const Folder folder;
+    const ScratchFolder folder;
     const std::string drawing = folder.write(
-        "map.svg", encoders::bytes_of("<svg xmlns='http://www.w3.org/2000/svg' width='9' "
-                                      "height='9'><title>Plan</title><rect width='5' "
-                                      "height='5'/></svg>"));
+        "map.svg",
+        "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'><title>Plan</title>"
+        "<rect width='5' height='5'/></svg>");
     EXPECT_EQ(open_page_of(drawing)->told.title, "Plan");
-    (void)folder.write("map.txt", encoders::bytes_of("The square\nAt the upper left."));
+    folder.write("map.txt", "The square\nAt the upper left.");
     EXPECT_EQ(open_page_of(drawing)->told.title, "The square");
     EXPECT_EQ(open_page_of(drawing)->told.description, "At the upper left.");
 }

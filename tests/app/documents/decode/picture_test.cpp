@@ -3,7 +3,6 @@
 
 #include "app/documents/decode/files.h"
 #include "app/documents/decode/formats.h"
-#include "app/documents/decode/png_writer.h"
 #include "tests/app/documents/decode/decoding_here.h"
 #include "tests/app/documents/decode/encoders.h"
 

@@ -1,12 +1,13 @@
 // Tests a reader of words that lies, and damaged input to the honest one: the kiosk gets words or
 // one line.
-#include "app/documents/decode/words_in_picture.h"
+#include "app/documents/decode/opening.h"
 #include "app/isolation/process/memory.h"
 #include "app/isolation/process/places.h"
 #include "app/isolation/sandbox/worker.h"
 #include "tests/app/documents/decode/encoders.h"
 #include "tests/app/documents/decode/files_of_formats.h"
 #include "tests/app/documents/decode/liar_in_place.h"
+#include "tests/config/mutated.h"
 
 #include <algorithm>
 #include <random>

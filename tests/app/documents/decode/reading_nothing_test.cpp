@@ -1,6 +1,5 @@
 // Tests pictures without any writing: no label, nothing masked.
 #include "app/documents/decode/opening.h"
-#include "app/documents/decode/words_in_picture.h"
 #include "app/documents/gallery/gallery.h"
 #include "tests/app/documents/decode/encoders.h"
 

@@ -1,6 +1,5 @@
 // Tests pages of text without a text layer with the real reader: how many words it reads right.
 #include "app/documents/decode/opening.h"
-#include "app/documents/decode/words_in_picture.h"
 #include "tests/app/documents/decode/encoders.h"
 
 #include <cstdio>

@@ -3,12 +3,12 @@
 #include "tests/app/documents/decode/reference.h"
 
 #include "app/documents/decode/opening.h"
+#include "tests/config/scratch_folder.h"
 
 #include <filesystem>
 #include <string>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 namespace touchline {
 namespace {
@@ -38,19 +38,12 @@ constexpr auto drawing =
 
 class Reference : public testing::TestWithParam<Form> {
   protected:
-    Reference()
-        : folder_(fs::temp_directory_path() / ("touchline-forms-" + std::to_string(getpid()))) {
-        fs::create_directories(folder_);
-    }
-
-    ~Reference() override { fs::remove_all(folder_); }
-
-    fs::path folder_;
+    ScratchFolder folder_;
 };
 
 TEST_P(Reference, ShowsTheSame) {
     const Form& form = GetParam();
-    const std::string path = folder_ / form.name;
+    const std::string path = folder_.path_of(form.name);
     ASSERT_TRUE(run_command(drawing + form.arguments + " '" + form.prefix + path + "'"));
     const auto page = open_page_of(path);
     ASSERT_TRUE(page.has_value()) << page.error().line;

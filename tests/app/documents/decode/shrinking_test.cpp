@@ -1,6 +1,5 @@
 // Tests pictures with more pixels than are kept: each kept pixel is the mean of those it replaces,
 // whatever order they come in.
-#include "app/documents/decode/shrinking.h"
 
 #include "app/documents/decode/formats.h"
 #include "tests/app/documents/decode/decoding_here.h"

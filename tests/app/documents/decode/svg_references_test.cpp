@@ -1,4 +1,5 @@
 // Tests how often parts of a drawing are drawn again, against a count by drawing.
+
 #include "app/documents/decode/svg_survey.h"
 
 #include <algorithm>

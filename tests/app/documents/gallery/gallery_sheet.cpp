@@ -2,7 +2,7 @@
 // table in app/documents/gallery/README.md:
 //   gallery_sheet
 #include "app/documents/decode/files.h"
-#include "app/documents/decode/png_writer.h"
+#include "app/documents/decode/picture.h"
 #include "config/types/map_frame.h"
 #include "tests/app/documents/gallery/pictures.h"
 
@@ -56,10 +56,9 @@ Result<void> write_all() {
     const auto drawn = write_png(folder + "all-pictures.png",
                                  GreyView{sheet.cols, sheet.rows, {sheet.data, sheet.total()}});
     if (!drawn) return drawn;
-    const auto bytes = read_file(folder + "README.md");
-    if (!bytes) return tl::unexpected(bytes.error());
-    const std::string readme(reinterpret_cast<const char*>(bytes->data()), bytes->size());
-    return write_whole_file(folder + "README.md", with_table(readme, table_of_pictures()));
+    const auto readme = read_text(folder + "README.md");
+    if (!readme) return tl::unexpected(readme.error());
+    return write_whole_file(folder + "README.md", with_table(*readme, table_of_pictures()));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "app/documents/decode/files.h"
 #include "app/documents/decode/map_svg.h"
 #include "tests/app/documents/gallery/pictures.h"
+#include "tests/config/scratch_folder.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -13,7 +14,6 @@
 #include <set>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 namespace touchline {
 namespace {
@@ -24,24 +24,16 @@ const std::string pictures_folder = TOUCHLINE_SOURCE_DIR "/app/documents/gallery
 
 class GalleryFolder : public testing::Test {
   protected:
-    GalleryFolder()
-        : folder_(testing::TempDir() + "touchline-gallery-" + std::to_string(::getpid())) {
-        fs::create_directory(folder_);
-    }
-
     ~GalleryFolder() override {
         ::unsetenv("TOUCHLINE_GALLERY");  // NOLINT(concurrency-mt-unsafe): one thread
-        fs::remove_all(folder_);
     }
 
-    [[nodiscard]] std::string folder() const { return folder_; }
+    [[nodiscard]] std::string folder() const { return folder_.path(); }
 
-    void put(const std::string& name, const std::string& text) const {
-        ASSERT_TRUE(write_whole_file(folder_ / name, text));
-    }
+    void put(const std::string& name, const std::string& text) const { folder_.write(name, text); }
 
   private:
-    fs::path folder_;
+    ScratchFolder folder_;
 };
 
 constexpr auto smallest = "<svg viewBox='0 0 9 9'><title>T</title><path d='M1 1L2 2'/></svg>";

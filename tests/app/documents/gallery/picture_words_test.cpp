@@ -204,8 +204,7 @@ TEST_P(PictureWords, EveryPartHasAShortNameOfItsOwn) {
 
 const std::vector<GlossaryRow>& glossary() {
     static const std::vector<GlossaryRow> rows = [] {
-        const auto bytes = read_file(TOUCHLINE_SOURCE_DIR "/audio-cues/words/glossary.md").value();
-        return glossary_of({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+        return glossary_of(read_text(TOUCHLINE_SOURCE_DIR "/audio-cues/words/glossary.md").value());
     }();
     return rows;
 }
@@ -258,8 +257,7 @@ TEST(Pictures, GradesRiseWithThePartsAndNoneIsEmpty) {
 
 /// If this fails, run gallery_sheet, which also draws them all in one picture.
 TEST(Pictures, TheReadmeListsThem) {
-    const auto bytes = read_file(TOUCHLINE_SOURCE_DIR "/app/documents/gallery/README.md").value();
-    const std::string readme(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    const auto readme = read_text(TOUCHLINE_SOURCE_DIR "/app/documents/gallery/README.md").value();
     const std::string table = table_of_pictures();
     EXPECT_NE(readme.find(table), std::string::npos) << table;
 }

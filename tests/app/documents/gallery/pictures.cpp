@@ -21,8 +21,7 @@ std::vector<ShippedPicture> shipped_pictures(const LanguageTag& language) {
     std::vector<ShippedPicture> pictures;
     const auto entries = list_gallery(folder).value();
     for (const GalleryEntry& entry : entries) {
-        const auto bytes = read_file(entry.path).value();
-        std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+        std::string text = read_text(entry.path).value();
         TactileMap map = parse_map_svg(text, language).value();
         pictures.push_back(
             {std::filesystem::path(entry.path).stem(), std::move(text), std::move(map)});

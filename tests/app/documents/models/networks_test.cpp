@@ -1,5 +1,7 @@
 #include "app/documents/models/networks.h"
 
+#include "tests/config/scratch_folder.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdlib>
@@ -10,7 +12,6 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 namespace touchline {
 namespace {
@@ -21,22 +22,16 @@ namespace fs = std::filesystem;
 class Networks : public ::testing::Test {
   protected:
     Networks() {
-        folder_ = fs::temp_directory_path() / ("touchline-networks-" + std::to_string(::getpid()));
-        fs::create_directories(folder_);
         // NOLINTNEXTLINE(concurrency-mt-unsafe)
-        ::setenv("TOUCHLINE_MODELS", (folder_ / "models").c_str(), 1);
+        ::setenv("TOUCHLINE_MODELS", folder_.path_of("models").c_str(), 1);
     }
 
     ~Networks() override {
-        fs::remove_all(folder_);
         ::unsetenv("TOUCHLINE_MODELS");  // NOLINT(concurrency-mt-unsafe)
     }
 
     fs::path write(const std::string& name, const std::string& text) const {
-        const fs::path path = folder_ / name;
-        fs::create_directories(path.parent_path());
-        std::ofstream(path) << text;
-        return path;
+        return folder_.write(name, text);
     }
 
     static void expect_line(const Error& error, const std::string& part) {
@@ -45,7 +40,7 @@ class Networks : public ::testing::Test {
         EXPECT_EQ(error.line.find('\n'), std::string::npos);
     }
 
-    fs::path folder_;
+    ScratchFolder folder_;
     const Network small_{
         .name = "small",
         .file = "small.onnx",
@@ -129,7 +124,7 @@ TEST_F(Networks, WhereItCannotBeGotNothingIsLeft) {
     fs::permissions(npm, fs::perms::owner_all);
     const std::string path = ::getenv("PATH");  // NOLINT(concurrency-mt-unsafe)
     // NOLINTNEXTLINE(concurrency-mt-unsafe)
-    ::setenv("PATH", ((folder_ / "bin").string() + ":" + path).c_str(), 1);
+    ::setenv("PATH", (folder_.path_of("bin") + ":" + path).c_str(), 1);
     testing::internal::CaptureStderr();
     EXPECT_FALSE(get_network(networks().front()));
     const std::string said = testing::internal::GetCapturedStderr();

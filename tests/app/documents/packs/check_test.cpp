@@ -5,6 +5,7 @@
 #include "app/documents/packs/unpacking.h"
 #include "audio-cues/words/language.h"
 #include "tests/app/documents/packs/made_packs.h"
+#include "tests/config/scratch_folder.h"
 
 #include <algorithm>
 #include <sstream>
@@ -124,8 +125,8 @@ TEST(Command, SaysWhatIsWrongInOneLineAndAStatus) {
     EXPECT_EQ(say({"pack", "check", "/nowhere"}).status, 1);
     EXPECT_EQ(say({"pack", "check"}).status, 2);
     EXPECT_EQ(say({"pack", "export", made::example_pack(), "-o", "/x", "--image", "?"}).status, 2);
-    const made::Folder folder;
-    folder.write("fish.svg", made::bytes_of("<svg/>"));
+    const ScratchFolder folder;
+    folder.write("fish.svg", "<svg/>");
     const Said said = say({"pack", "check", folder.path()});
     EXPECT_EQ(said.status, 1);
     EXPECT_NE(said.out.find("error: "), std::string::npos);
@@ -137,7 +138,7 @@ TEST(Command, SaysWhatIsWrongInOneLineAndAStatus) {
 TEST(Command, SaysWhatTheGuideShows) {
     auto pack = read_pack(made::example_pack());
     ASSERT_TRUE(pack.has_value());
-    const made::Folder folder;
+    const ScratchFolder folder;
     for (const PackFile& file : pack->files) {
         std::string text = made::text_of(file.bytes);
         if (file.name == "boat.svg") {
@@ -148,9 +149,9 @@ TEST(Command, SaysWhatTheGuideShows) {
                         "<path id=\"mast\" d=\"M54.5 10 L54.5 58\"><title>Mast</title>"
                         "<title xml:lang=\"de\">Mast</title></path>\n");
         }
-        folder.write("pack/" + file.name, made::bytes_of(text));
+        folder.write("pack/" + file.name, text);
     }
-    const Said said = say({"pack", "check", folder.path() + "/pack"});
+    const Said said = say({"pack", "check", folder.path_of("pack")});
     EXPECT_EQ(said.status, 0) << said.err;
     const auto guide = read_file(TOUCHLINE_SOURCE_DIR "/app/documents/packs/README.md");
     ASSERT_TRUE(guide.has_value());
@@ -164,9 +165,9 @@ TEST(Command, SaysWhatTheGuideShows) {
 }
 
 TEST(Command, ExportsAndImports) {
-    const made::Folder folder;
-    const std::string zip = folder.path() + "/pack.zip";
-    const std::string library = folder.path() + "/library";
+    const ScratchFolder folder;
+    const std::string zip = folder.path_of("pack.zip");
+    const std::string library = folder.path_of("library");
     ASSERT_EQ(say({"pack", "export", made::example_pack(), "-o", zip}).status, 0);
     EXPECT_EQ(say({"pack", "check", zip}).status, 0);
     const Said said = say({"pack", "import", zip, "--library", library});
@@ -174,7 +175,7 @@ TEST(Command, ExportsAndImports) {
     EXPECT_NE(said.out.find("shapes-and-a-boat 1.0.0: installed"), std::string::npos);
     EXPECT_EQ(read_pack(library + "/shapes-and-a-boat")->files,
               read_pack(made::example_pack())->files);
-    const std::string layers = folder.path() + "/layers.zip";
+    const std::string layers = folder.path_of("layers.zip");
     ASSERT_EQ(say({"pack", "export", made::example_pack(), "-o", layers, "--image", "de"}).status,
               0);
     const auto layered = read_pack(layers);
@@ -185,14 +186,13 @@ TEST(Command, ExportsAndImports) {
 }
 
 TEST(Folder, WithALinkOrATwinIsRefused) {
-    const made::Folder folder;
-    for (const auto& member : made::small_pack())
-        folder.write(member.name, made::bytes_of(member.contents));
+    const ScratchFolder folder;
+    for (const auto& member : made::small_pack()) folder.write(member.name, member.contents);
     ASSERT_TRUE(read_pack(folder.path()).has_value());
-    std::filesystem::create_symlink("/etc/passwd", folder.path() + "/b.txt");
+    std::filesystem::create_symlink("/etc/passwd", folder.path_of("b.txt"));
     EXPECT_EQ(read_pack(folder.path()).error().kind, FindingKind::link);
-    std::filesystem::remove(folder.path() + "/b.txt");
-    folder.write("A.svg", made::bytes_of("x"));
+    std::filesystem::remove(folder.path_of("b.txt"));
+    folder.write("A.svg", "x");
     EXPECT_EQ(read_pack(folder.path()).error().kind, FindingKind::twice);
 }
 

@@ -1,5 +1,4 @@
 // Tests layered pictures of the IMAGE project, read and written.
-#include "app/documents/decode/image_layers.h"
 
 #include "app/documents/decode/map_svg.h"
 #include "app/documents/gallery/gallery.h"

@@ -4,6 +4,7 @@
 #include "audio-cues/speech/recorded_prompts.h"
 #include "audio-cues/words/language.h"
 #include "tests/app/documents/packs/made_packs.h"
+#include "tests/config/scratch_folder.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -32,7 +33,7 @@ std::vector<std::string> names_in(const std::string& folder) {
 }
 
 TEST(Library, HoldsAPackBitForBit) {
-    const made::Folder library;
+    const ScratchFolder library;
     const auto place = import_pack(example(), library.path());
     ASSERT_TRUE(place.has_value()) << sentence_of(place.error(), Language());
     EXPECT_TRUE(*read_pack(*place) == example());
@@ -40,14 +41,14 @@ TEST(Library, HoldsAPackBitForBit) {
 }
 
 TEST(Library, TakesANewerVersionAndAsksBeforeAnOlder) {
-    const made::Folder library;
+    const ScratchFolder library;
     ASSERT_TRUE(import_pack(example(), library.path()).has_value());
     ASSERT_TRUE(import_pack(with_version(example(), {2, 0, 0}), library.path()).has_value());
     const auto older = import_pack(example(), library.path());
     ASSERT_FALSE(older.has_value());
     EXPECT_EQ(older.error().kind, FindingKind::older);
     EXPECT_EQ(older.error().what, "2.0.0");
-    const std::string place = library.path() + "/shapes-and-a-boat";
+    const std::string place = library.path_of("shapes-and-a-boat");
     EXPECT_EQ(read_pack(place)->info.version, (PackVersion{2, 0, 0}));
     ASSERT_TRUE(import_pack(example(), library.path(), OlderPack::take).has_value());
     EXPECT_EQ(read_pack(place)->info.version, (PackVersion{1, 0, 0}));
@@ -55,16 +56,16 @@ TEST(Library, TakesANewerVersionAndAsksBeforeAnOlder) {
 }
 
 TEST(Library, AFileThatTheNewVersionLacksIsGone) {
-    const made::Folder library;
+    const ScratchFolder library;
     Pack first = example();
     first.files.push_back({"zz.txt", made::bytes_of("notes")});
     ASSERT_TRUE(import_pack(first, library.path()).has_value());
     ASSERT_TRUE(import_pack(example(), library.path()).has_value());
-    EXPECT_FALSE(std::filesystem::exists(library.path() + "/shapes-and-a-boat/zz.txt"));
+    EXPECT_FALSE(std::filesystem::exists(library.path_of("shapes-and-a-boat/zz.txt")));
 }
 
 TEST(Library, KeepsTheOldVersionWhenTheNewOneCannotBeUsed) {
-    const made::Folder library;
+    const ScratchFolder library;
     ASSERT_TRUE(import_pack(example(), library.path()).has_value());
     Pack broken = with_version(example(), {3, 0, 0});
     for (PackFile& file : broken.files)
@@ -73,13 +74,13 @@ TEST(Library, KeepsTheOldVersionWhenTheNewOneCannotBeUsed) {
     ASSERT_FALSE(refused.has_value());
     EXPECT_EQ(refused.error().kind, FindingKind::picture_broken);
     EXPECT_EQ(refused.error().file, "boat.svg");
-    EXPECT_TRUE(*read_pack(library.path() + "/shapes-and-a-boat") == example());
+    EXPECT_TRUE(*read_pack(library.path_of("shapes-and-a-boat")) == example());
 }
 
 /// Leftovers of an import that lost power.
 TEST(Library, LeftoversAreNoPacksAndAreCleaned) {
-    const made::Folder library;
-    library.write(".unfinished-x-1/pack.toml", made::bytes_of("half"));
+    const ScratchFolder library;
+    library.write(".unfinished-x-1/pack.toml", "half");
     std::vector<PackFinding> problems;
     EXPECT_TRUE(list_library(library.path(), {}, problems).empty());
     EXPECT_TRUE(problems.empty());
@@ -94,9 +95,9 @@ TEST(Library, ThatCannotBeWrittenIsSaid) {
 }
 
 TEST(Library, IsListedInALanguage) {
-    const made::Folder library;
+    const ScratchFolder library;
     ASSERT_TRUE(import_pack(example(), library.path()).has_value());
-    library.write("broken/pack.toml", made::bytes_of("id = 7"));
+    library.write("broken/pack.toml", "id = 7");
     std::vector<PackFinding> problems;
     const auto pictures = list_library(library.path(), {"de"}, problems);
     ASSERT_EQ(pictures.size(), 2U);
@@ -112,7 +113,7 @@ TEST(Library, IsListedInALanguage) {
 }
 
 TEST(Library, RecordingsTakeThePlaceOfTheVoice) {
-    const made::Folder library;
+    const ScratchFolder library;
     ASSERT_TRUE(import_pack(example(), library.path()).has_value());
     std::vector<PackFinding> problems;
     const auto pictures = list_library(library.path(), {"en"}, problems);

@@ -4,10 +4,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
 
 #include <sndfile.h>
-#include <unistd.h>
 #include <zlib.h>
 
 namespace touchline::made {
@@ -155,24 +153,6 @@ Bytes ogg() {
     return recording(SF_FORMAT_OGG | SF_FORMAT_VORBIS, 44100, 0.4);
 }
 
-Bytes mutated(Bytes bytes, std::mt19937& random) {
-    const auto place = [&] { return static_cast<std::ptrdiff_t>(random() % bytes.size()); };
-    switch (random() % 5) {
-        case 0:
-            bytes.resize(static_cast<std::size_t>(place()) + 1);
-            break;
-        case 1: {
-            const auto [first, last] = std::minmax({place(), place()});
-            bytes.erase(bytes.begin() + first, bytes.begin() + last);
-            break;
-        }
-        default:
-            for (unsigned hits = 1 + random() % 8; hits > 0; --hits)
-                bytes[random() % bytes.size()] = static_cast<std::byte>(random());
-    }
-    return bytes;
-}
-
 void mend_ogg_sums(Bytes& bytes) {
     constexpr std::size_t header = 27;
     constexpr std::size_t sum_at = 22;
@@ -201,22 +181,6 @@ void mend_ogg_sums(Bytes& bytes) {
 int mutation_count(int a_day) {
     const char* const wished = std::getenv("TOUCHLINE_MUTATIONS");
     return wished != nullptr ? std::atoi(wished) : a_day;
-}
-
-Folder::Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "touchline-packs-XXXXXX").string();
-    path_ = mkdtemp(name.data());
-}
-
-Folder::~Folder() {
-    std::error_code error;
-    std::filesystem::remove_all(path_, error);
-}
-
-void Folder::write(const std::string& name, const Bytes& bytes) const {
-    const auto path = path_ / name;
-    std::filesystem::create_directories(path.parent_path());
-    std::ofstream(path, std::ios::binary) << text_of(bytes);
 }
 
 std::string example_pack() {

@@ -3,9 +3,8 @@
 
 #include "app/documents/packs/pack.h"
 
+#include <cstddef>
 #include <cstdint>
-#include <filesystem>
-#include <random>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,30 +44,11 @@ struct Member {
 
 [[nodiscard]] Bytes ogg();
 
-/// Returns the bytes with one to eight of them changed, or a piece cut out or cut off.
-[[nodiscard]] Bytes mutated(Bytes bytes, std::mt19937& random);
-
 /// Gives every page of an Ogg file the checksum of its bytes.
 void mend_ogg_sums(Bytes& bytes);
 
 /// Returns a few for each day's test run; TOUCHLINE_MUTATIONS sets more for the hazard table.
 [[nodiscard]] int mutation_count(int a_day);
-
-/// A separate folder, removed with this object.
-class Folder {
-  public:
-    Folder();
-    ~Folder();
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-
-    [[nodiscard]] std::string path() const { return path_.string(); }
-
-    void write(const std::string& name, const Bytes& bytes) const;
-
-  private:
-    std::filesystem::path path_;
-};
 
 /// Returns the path of the pack that the guide shows.
 [[nodiscard]] std::string example_pack();

@@ -3,6 +3,7 @@
 #include "audio-cues/words/language.h"
 #include "tests/app/documents/decode/liar_in_place.h"
 #include "tests/app/documents/packs/made_packs.h"
+#include "tests/config/mutated.h"
 
 #include <cmath>
 #include <complex>
@@ -79,7 +80,7 @@ void expect_sound_or_sentence(const std::string& name, const made::Bytes& bytes,
     const int count = made::mutation_count(40);
     int taken = 0;
     for (int i = 0; i < count; ++i) {
-        auto changed = made::mutated(bytes, random);
+        auto changed = mutated(bytes, random);
         // Otherwise libogg would drop every damaged page, and nothing else would be tested.
         if (is_ogg) made::mend_ogg_sums(changed);
         const auto sound = open_sound({name, changed});

@@ -1,8 +1,7 @@
 // Tests lines that a hand cannot tell apart.
-#include "app/documents/packs/tactile_spacing.h"
-
 #include "app/documents/decode/map_svg.h"
 #include "app/documents/gallery/gallery.h"
+#include "app/documents/packs/unpack_work.h"
 
 #include <chrono>
 #include <cmath>

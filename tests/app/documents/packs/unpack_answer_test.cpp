@@ -1,7 +1,6 @@
 // Tests answers of touchline-unpack: only what the real program would write is believed.
-#include "app/documents/packs/unpack_answer.h"
-
 #include "app/documents/packs/pack.h"
+#include "app/documents/packs/unpack_work.h"
 
 #include <cmath>
 #include <limits>

@@ -5,6 +5,7 @@
 #include "audio-cues/words/language.h"
 #include "tests/app/documents/decode/liar_in_place.h"
 #include "tests/app/documents/packs/made_packs.h"
+#include "tests/config/mutated.h"
 
 #include <chrono>
 #include <cstdlib>
@@ -191,7 +192,7 @@ TEST(Mutations, OfAZipAreFilesOrOneSentence) {
     const int count = made::mutation_count(60);
     int taken = 0;
     for (int i = 0; i < count; ++i) {
-        const auto files = unpack_zip(made::mutated(bytes, random));
+        const auto files = unpack_zip(mutated(bytes, random));
         taken += files ? 1 : 0;
         ASSERT_TRUE(files || is_one_sentence(sentence_of(files.error(), Language()))) << i;
         ASSERT_TRUE(files || files.error().kind != FindingKind::harmful) << i;

@@ -1,7 +1,7 @@
 // Tests the kiosk's side and the program together.
 #include "app/documents/sticks/import.h"
 
-#include "app/documents/decode/side_car.h"
+#include "app/documents/decode/opening.h"
 #include "app/isolation/process/memory.h"
 #include "app/isolation/sandbox/limits.h"
 #include "tests/app/documents/sticks/stick_folder.h"

@@ -1,7 +1,7 @@
 // Tests names of files as they are said. The expected values are what a person reads aloud.
 #include "app/documents/sticks/spoken_name.h"
 
-#include "app/documents/sticks/name_parts.h"
+#include "app/documents/sticks/names.h"
 #include "config/types/utf8.h"
 #include "tests/app/documents/sticks/any_names.h"
 

@@ -1,11 +1,11 @@
-// A folder that stands for a stick; it is removed with its owner. Threads: one.
+// A folder that stands for a stick. Threads: one.
 #pragma once
 
 #include "app/isolation/process/descriptor.h"
+#include "tests/config/scratch_folder.h"
 
 #include <cstddef>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <string_view>
 
@@ -14,37 +14,25 @@
 
 namespace touchline {
 
-class StickFolder {
+class StickFolder : public ScratchFolder {
   public:
     explicit StickFolder(
-        const std::filesystem::path& parent = std::filesystem::temp_directory_path()) {
-        std::string pattern = (parent / "stick-XXXXXX").string();
-        path_ = ::mkdtemp(pattern.data());
-        std::filesystem::permissions(path_, std::filesystem::perms(0755));
+        const std::filesystem::path& parent = std::filesystem::temp_directory_path())
+        : ScratchFolder(parent) {
+        std::filesystem::permissions(path(), std::filesystem::perms(0755));
     }
 
-    ~StickFolder() { std::filesystem::remove_all(path_); }
-
-    StickFolder(const StickFolder&) = delete;
-    StickFolder(StickFolder&&) = delete;
-    StickFolder& operator=(const StickFolder&) = delete;
-    StickFolder& operator=(StickFolder&&) = delete;
-
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
-    [[nodiscard]] std::string root() const { return path_.string(); }
+    [[nodiscard]] std::string root() const { return path().string(); }
 
     [[nodiscard]] Descriptor open() const {
-        return Descriptor(::open(path_.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+        return Descriptor(::open(path().c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
     }
 
     void folder(const std::string& name) const {
-        std::filesystem::create_directories(path_ / name);
+        std::filesystem::create_directories(path() / name);
     }
 
-    void file(const std::string& name, std::string_view bytes = "x") const {
-        std::ofstream(path_ / name, std::ios::binary) << bytes;
-    }
+    void file(const std::string& name, std::string_view bytes = "x") const { write(name, bytes); }
 
     /// Quickly makes `count` empty files "NAME0.png" ...
     void files(const std::string& name, std::size_t count) const {
@@ -54,9 +42,6 @@ class StickFolder {
             (void)Descriptor(::openat(here.number(), one.c_str(), O_CREAT | O_WRONLY, 0644));
         }
     }
-
-  private:
-    std::filesystem::path path_;
 };
 
 }  // namespace touchline

@@ -1,4 +1,4 @@
-#include "app/documents/trace/joined.h"
+#include "app/documents/trace/traced.h"
 
 #include <algorithm>
 #include <string_view>

@@ -1,5 +1,5 @@
 // Tests found lines as they pass between two workers.
-#include "app/documents/trace/worker_values.h"
+#include "app/documents/trace/traced.h"
 
 #include <cstring>
 #include <limits>

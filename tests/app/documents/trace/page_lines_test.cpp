@@ -11,19 +11,19 @@
 namespace touchline {
 namespace {
 
-constexpr int kWidth = 600;
-constexpr int kHeight = 400;
+constexpr int width_px = 600;
+constexpr int height_px = 400;
 
 /// A line from left to right through the middle, and a word.
 Page page_with(const std::string& word, const WordBox& box, double size_px, const cv::Scalar& ink) {
-    testing::Canvas canvas({kWidth, kHeight}, {255, 255, 255});
+    testing::Canvas canvas({width_px, height_px}, {255, 255, 255});
     if (!word.empty())
         canvas.write(word, {static_cast<double>(box.left), static_cast<double>(box.bottom)},
                      {"DejaVu Sans", size_px, false, false}, ink);
     canvas.stroke({{{{40.0, 200.0}, {560.0, 200.0}}, false}}, 3.0, {0, 0, 0});
     const cv::Mat drawn = canvas.picture();
     Page page;
-    page.picture = {kWidth, kHeight, {drawn.datastart, drawn.dataend}};
+    page.picture = {width_px, height_px, {drawn.datastart, drawn.dataend}};
     page.told.area = {0.06, 0.04};
     page.words = {box};
     return page;
@@ -56,12 +56,12 @@ TEST(PageLines, AWordAcrossThePageTakesNoLineAway) {
 }
 
 TEST(PageLines, ADarkWordOnAPaleLineGoesAndTheLineStays) {
-    testing::Canvas canvas({kWidth, kHeight}, {255, 255, 255});
+    testing::Canvas canvas({width_px, height_px}, {255, 255, 255});
     canvas.stroke({{{{40.0, 200.0}, {560.0, 200.0}}, false}}, 5.0, {190, 190, 190});
     canvas.write("Harbour", {200.0, 212.0}, {"DejaVu Sans", 40.0, false, false}, {0, 0, 0});
     const cv::Mat drawn = canvas.picture();
     Page page;
-    page.picture = {kWidth, kHeight, {drawn.datastart, drawn.dataend}};
+    page.picture = {width_px, height_px, {drawn.datastart, drawn.dataend}};
     page.told.area = {0.06, 0.04};
     page.words = {{200, 180, 372, 214}};
     // This leaves out what the strokes of the letters cover.
@@ -71,7 +71,7 @@ TEST(PageLines, ADarkWordOnAPaleLineGoesAndTheLineStays) {
 TEST(PageLines, ASmallDrawingBesideALargePaleLetterStays) {
     // Letters are painted over one by one: at the last one the others are already gone, and the
     // drawing is most of what is left around it.
-    testing::Canvas canvas({kWidth, kHeight}, {255, 255, 255});
+    testing::Canvas canvas({width_px, height_px}, {255, 255, 255});
     const testing::Font font{"DejaVu Sans", 200.0, false, false};
     canvas.write("I", {120.0, 300.0}, font, {215, 215, 215});
     canvas.write("L", {300.0, 300.0}, font, {215, 215, 215});
@@ -79,7 +79,7 @@ TEST(PageLines, ASmallDrawingBesideALargePaleLetterStays) {
                   {0, 0, 0});
     const cv::Mat drawn = canvas.picture();
     Page page;
-    page.picture = {kWidth, kHeight, {drawn.datastart, drawn.dataend}};
+    page.picture = {width_px, height_px, {drawn.datastart, drawn.dataend}};
     page.told.area = {0.06, 0.04};
     page.words = {{139, 154, 159, 300}, {319, 154, 420, 300}};
     EXPECT_NEAR(length_px(page), 200.0, 8.0);

@@ -1,4 +1,4 @@
-#include "app/isolation/process/compact_memory.h"
+#include "app/isolation/process/memory.h"
 
 #include <array>
 #include <atomic>

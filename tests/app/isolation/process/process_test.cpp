@@ -1,6 +1,7 @@
 #include "app/isolation/process/child.h"
 #include "app/isolation/process/memory.h"
 #include "app/isolation/process/places.h"
+#include "tests/config/scratch_folder.h"
 
 #include <algorithm>
 #include <array>
@@ -107,13 +108,12 @@ TEST(Child, TellsHowItEnded) {
 }
 
 TEST(Places, WhatIsInstalledBesideTheProgramComesBeforeWhatWasBuilt) {
-    const std::filesystem::path installed =
-        std::filesystem::temp_directory_path() / ("touchline-places-" + std::to_string(getpid()));
+    const ScratchFolder scratch;
+    const std::filesystem::path installed = scratch.path() / "installed";
     const std::string beside = std::filesystem::relative(installed, own_folder()).string();
     EXPECT_EQ(installed_place(beside, "/built/from"), "/built/from");
     std::filesystem::create_directories(installed);
     EXPECT_TRUE(std::filesystem::equivalent(installed_place(beside, "/built/from"), installed));
-    std::filesystem::remove_all(installed);
 }
 
 TEST(Places, AUsersSettingsAreWhereTheSystemSaysElseInTheHomeElseTheMachines) {

@@ -2,6 +2,7 @@
 
 #include "tests/audio-cues/spectrum.h"
 #include "tests/audio-cues/wav_bytes.h"
+#include "tests/config/scratch_folder.h"
 
 #include <algorithm>
 #include <csignal>
@@ -138,8 +139,8 @@ TEST_F(SpeakerTest, AKilledVoiceIsNotHeard) {
 }
 
 TEST_F(SpeakerTest, SP8_ARecordedPromptIsHeardInsteadOfTheVoice) {
-    std::string folder = testing::TempDir() + "promptsXXXXXX";
-    ASSERT_NE(mkdtemp(folder.data()), nullptr);
+    const ScratchFolder scratch;
+    const std::string folder = scratch.path();
     std::filesystem::create_directory(folder + "/en");
     std::ofstream(folder + "/en/yes.wav") << wav_bytes(48000, 1, std::vector<int>(9600, 16384));
     std::ofstream(folder + "/en/index.txt") << "yes.wav\tYes.\n";

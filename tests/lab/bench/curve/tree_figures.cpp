@@ -1,6 +1,6 @@
 #include "app/cli/load.h"
 #include "app/documents/decode/files.h"
-#include "app/documents/decode/png_writer.h"
+#include "app/documents/decode/picture.h"
 #include "app/documents/gallery/gallery.h"
 #include "app/screen/paint.h"
 #include "app/screen/text.h"

@@ -3,7 +3,6 @@
 //   opening_bench RUNS FILE...
 #include "app/documents/decode/files.h"
 #include "app/documents/decode/opening.h"
-#include "app/documents/decode/words_in_picture.h"
 #include "app/documents/trace/tracing.h"
 #include "app/force/servo/scene_order.h"
 #include "config/types/steady_clock.h"

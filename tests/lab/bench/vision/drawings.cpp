@@ -107,7 +107,7 @@ using Way = std::function<Result<testing::Felt>(const testing::Drawing&)>;
 
 Way way_of_at_most(double most_pixels) {
     return [most_pixels](const testing::Drawing& drawing) {
-        return testing::felt_of(drawing, most_detail, testing::kTolerance_mm, most_pixels);
+        return testing::felt_of(drawing, most_detail, testing::usual_tolerance_mm, most_pixels);
     };
 }
 
@@ -139,7 +139,7 @@ Way way_of_program(const std::string& program) {
             std::chrono::steady_clock::now() - begin;
         if (!map) return tl::unexpected(map.error());
         testing::Felt felt =
-            testing::felt_by(std::move(*map), drawing, most_detail, testing::kTolerance_mm);
+            testing::felt_by(std::move(*map), drawing, most_detail, testing::usual_tolerance_mm);
         felt.milliseconds = took.count();
         return felt;
     };

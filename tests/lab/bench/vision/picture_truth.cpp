@@ -17,8 +17,8 @@ constexpr int kNearCorner_px = 31;
 constexpr float corner_beyond_middle = 2.0F;  // in half widths, at 60 degrees
 constexpr double along = 0.7;  // least cosine between the gradients of the two sides of a stroke
 
-const cv::Size kSheet(static_cast<int>(testing::kSheet_mm.width* kPixels_per_mm),
-                      static_cast<int>(testing::kSheet_mm.height* kPixels_per_mm));
+const cv::Size kSheet(static_cast<int>(testing::sheet_mm.width* kPixels_per_mm),
+                      static_cast<int>(testing::sheet_mm.height* kPixels_per_mm));
 
 /// The picture on the sheet, and where it lies there.
 struct Fitted {

@@ -65,10 +65,11 @@ Judged judged(const fs::path& drawing) {
     if (truth.each.empty()) return {"blank", {}};
     auto view = testing::whole_view_of(drawing_at(drawing), most_detail, 1e9);
     if (!view) return {"refused", {}};
-    if (!are_alike(truth, truth_of(testing::pixels_of(view->page.picture)), testing::kTolerance_mm))
+    if (!are_alike(truth, truth_of(testing::pixels_of(view->page.picture)),
+                   testing::usual_tolerance_mm))
         return {"otherwise", {}};
     const DetailLimits limits = limits_for(most_detail, view->map.area);
-    Shares shares = shares_of(truth, view->map, limits.gap_mm, testing::kTolerance_mm);
+    Shares shares = shares_of(truth, view->map, limits.gap_mm, testing::usual_tolerance_mm);
     if (static_cast<int>(view->map.outlines.size()) >= limits.strokes)
         shares.seen.too_many_mm = std::exchange(shares.seen.wrong_mm, 0.0);
     const bool is_whole = shares.seen.share() >= bar && shares.felt.share() >= bar;

@@ -1,7 +1,7 @@
 // The kiosk as `touchline --window` runs it, with the board of soak_board.h instead of one on USB.
 #include "app/cli/command_line.h"
 #include "app/force/servo/servo_process.h"
-#include "app/isolation/process/compact_memory.h"
+#include "app/isolation/process/memory.h"
 #include "app/isolation/process/places.h"
 #include "app/main/kiosk_window.h"
 #include "tests/app/force/servo/mapped_file.h"
