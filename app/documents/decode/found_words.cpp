@@ -1,6 +1,6 @@
 #include "app/documents/decode/found_words.h"
 
-#include "app/documents/decode/page.h"
+#include "app/documents/decode/answer_parts.h"
 
 #include <algorithm>
 #include <array>
