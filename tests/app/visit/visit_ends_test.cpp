@@ -2,6 +2,8 @@
 #include "tests/app/visit/fake_world.h"
 #include "tests/app/visit/visit_scenes.h"
 
+#include <optional>
+#include <set>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -46,6 +48,43 @@ TEST(Visit, WhyGuidingEndedIsSaid) {
         house.press(KeyRole::select);
         EXPECT_TRUE(house.last_said().starts_with(
             use == SwitchUse::none ? "You pressed a key." : "You pressed a switch."));
+    }
+}
+
+/// Passes an hour in which the handle shakes, is led and rests on lines, and no hand moves it.
+/// Returns how often the visit believed that somebody answered.
+int answers_of_nobody(FakeHouse& house) {
+    int answers = 0;
+    for (int second = 0; second < 3600 && is_visit_on(house.visit); ++second) {
+        HandleSeen shaking;
+        shaking.place_W = {0.003 * (second % 3), -0.003 * (second % 2)};
+        shaking.part = second % 4 == 0 ? std::optional<std::size_t>() : second % 2;
+        shaking.speed_m_per_s = 0.1 * (second % 3);
+        const bool was_asked = house.open() == VisitScreen::question;
+        house.apply(shaking);
+        house.now_s += 1.0;
+        house.apply(Tick{house.now_s});
+        const bool is_asked = house.open() == VisitScreen::question;
+        if (was_asked && !is_asked && is_visit_on(house.visit)) ++answers;
+    }
+    return answers;
+}
+
+TEST(Visit, TI1_NobodyAnswersOnNoScreenAndInNoLanguage) {
+    for (std::size_t language = 0; language < all_languages().size(); ++language) {
+        std::set<VisitScreen> known;
+        for (const Visit& scene : scenes_of_all_screens()) {
+            if (!known.insert(open_screen(scene)).second) continue;
+            for (const Mode mode : {Mode::wall, Mode::groove, Mode::ridge, Mode::stay}) {
+                FakeHouse house;
+                house.visit = scene;
+                house.visit.visitor.sound.language = language;
+                house.visit.visitor.feel.mode = mode;
+                house.now_s = scene.site.now_s;
+                EXPECT_EQ(answers_of_nobody(house), 0) << static_cast<int>(open_screen(scene));
+                EXPECT_FALSE(is_visit_on(house.visit)) << "and the visit ends";
+            }
+        }
     }
 }
 
