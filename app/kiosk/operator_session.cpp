@@ -253,16 +253,15 @@ bool OperatorSession::read_again() {
 }
 
 OperatorWorld OperatorSession::world(const Language& language, double now_s) const {
-    const auto& [is_private, live, kind, bounds, device_words, today, health] = facts_;
-    OperatorWorld world{language, now_s,      has_pin(), is_private,   site_, sound_,
-                        keys_,    languages_, {},        days_,        today, stick_.names(),
-                        live,     kind,       bounds,    device_words, health};
+    OperatorWorld world{language,   now_s, has_pin(), site_,          sound_, keys_,
+                        languages_, {},    days_,     stick_.names(), facts_};
     for (const Profile& profile : profiles_) world.profiles.push_back({profile.name, profile.rows});
-    world.health.can_keep = can_keep_;
-    world.health.version = TOUCHLINE_VERSION;
-    if (!days_.empty() && days_.back().day == today)
-        world.health.faults_today = days_.back().counts.faults;
-    if (is_inside()) world.health.networks = network_health();
+    KioskHealth& health = world.kiosk.health;
+    health.can_keep = can_keep_;
+    health.version = TOUCHLINE_VERSION;
+    const auto day = std::ranges::find(days_, facts_.today, &CountedDay::day);
+    if (day != days_.end()) health.faults_today = day->counts.faults;
+    if (is_inside()) health.networks = network_health();
     return world;
 }
 

@@ -40,17 +40,6 @@ struct OperatorFiles {
 /// The files of this machine.
 [[nodiscard]] OperatorFiles operator_files();
 
-/// What the screens show of the kiosk, each as in OperatorWorld.
-struct KioskFacts {
-    bool is_private = true;
-    std::vector<std::string> live;
-    std::optional<std::string> kind;
-    FeltBounds bounds;
-    std::string device_words;
-    std::chrono::sys_days today;
-    KioskHealth health;  // of all that the session does not know itself
-};
-
 /// The result of an order.
 struct Outcome {
     std::string said;  // to the operator, in their language
@@ -86,6 +75,7 @@ class OperatorSession {
     /// its files into the library; before that they are not even listed.
     void put_stick(const std::string& root) { stick_.look_at(is_inside() ? root : ""); }
 
+    /// `facts`: with the health of all that the session does not know itself.
     void see(KioskFacts facts) { facts_ = std::move(facts); }
 
     /// The site's settings with those of the profile over them.

@@ -125,27 +125,32 @@ struct OfferedProfile {
     std::vector<std::size_t> rows;  // the indices of setting_rows() that it sets
 };
 
-/// What the kiosk tells the screens; all texts are in the spoken language.
+/// What the kiosk tells of its parts; all texts are in the spoken language.
+struct KioskFacts {
+    bool is_private = true;         // headphones are known to be in; else no digit is said
+    std::vector<std::string> live;  // facts in words: force, level, loop
+    /// The profile that the handle is taken for; empty: nobody has said. Nothing: the handle is
+    /// simulated.
+    std::optional<std::string> kind;
+    FeltBounds bounds;
+    std::string device_words;     // for the person at the handle; empty: nothing to do
+    std::chrono::sys_days today;  // by the site's clock
+    KioskHealth health;
+};
+
+/// What the screens know; all texts are in the spoken language.
 struct OperatorWorld {
     const Language& language;
     double now_s = 0.0;  // never goes back
     bool has_pin = false;
-    bool is_private = true;  // headphones are known to be in; else no digit is said
-    Settings settings{};     // those of the site's file
+    Settings settings{};  // those of the site's file
     SoundSettings sound{};
     KeyTable keys{};
     std::vector<OfferedLanguage> languages{};
     std::vector<OfferedProfile> profiles{};
     CountedDays days{};
-    std::chrono::sys_days today{};        // by the site's clock
     std::vector<std::string> on_stick{};  // names of picture packs and networks
-    std::vector<std::string> live{};      // facts in words: force, level, loop
-    /// The profile that the handle is taken for; empty: nobody has said. Nothing: the handle is
-    /// simulated.
-    std::optional<std::string> kind{};
-    FeltBounds bounds{};
-    std::string device_words{};  // for the person at the handle; empty: nothing to do
-    KioskHealth health{};
+    KioskFacts kiosk{};
 };
 
 /// A press that counts. `role`: its role in the table of keys. `is_allowed`: it came from the

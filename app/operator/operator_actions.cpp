@@ -23,7 +23,7 @@ void learn_keys(OperatorTurn& turn) {
 }
 
 void find_home(OperatorTurn& turn) {
-    if (turn.world.kind == std::string()) return turn.go(OperatorPlace::kind);
+    if (turn.world.kiosk.kind == std::string()) return turn.go(OperatorPlace::kind);
     turn.order(FindHome{});
 }
 
@@ -124,9 +124,10 @@ void do_action(OperatorTurn& turn, std::size_t action) {
 /// Asks first if a handle was measured before.
 void choose_kind(OperatorTurn& turn, std::size_t kind) {
     const std::string profile(kind_rows()[kind].profile);
-    if (turn.world.kind == profile) return turn.say(turn.words("It is of this kind already."));
+    if (turn.world.kiosk.kind == profile)
+        return turn.say(turn.words("It is of this kind already."));
     turn.state().kind = kind;
-    if (turn.world.kind != std::string()) return turn.ask(Question::kind);
+    if (turn.world.kiosk.kind != std::string()) return turn.ask(Question::kind);
     measure_kind(turn);
     turn.go(OperatorPlace::homing);
 }

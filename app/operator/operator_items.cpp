@@ -56,7 +56,8 @@ struct List {
             : is_text ? ItemRole::text
                       : ItemRole::setting,
             setting_name(row, world.language),
-            felt_value(state.settings, row, world.bounds, world.language), hint_of(index, row));
+            felt_value(state.settings, row, world.kiosk.bounds, world.language),
+            hint_of(index, row));
     }
 
     void add_hours(std::size_t index, const SettingRow& row) {
@@ -142,14 +143,14 @@ struct List {
     }
 
     void add_kinds() {
-        if (!world.kind)
+        if (!world.kiosk.kind)
             return add(OperatorItem::fact, 0, ItemRole::text,
                        words("No handle with motors is plugged in."));
         const auto rows = kind_rows();
         for (std::size_t i = 0; i < rows.size(); ++i)
             add(OperatorItem::kind, i, ItemRole::choice,
                 world.language.text("kind", std::string(rows[i].name)),
-                *world.kind == rows[i].profile ? words("in use") : "",
+                *world.kiosk.kind == rows[i].profile ? words("in use") : "",
                 world.language.text("kind", std::string(rows[i].hint)));
     }
 
@@ -169,7 +170,7 @@ struct List {
     }
 
     void add_status() {
-        const auto lines = health_lines(world.health, world.language);
+        const auto lines = health_lines(world.kiosk.health, world.language);
         for (std::size_t i = 0; i < lines.size(); ++i)
             add(OperatorItem::fact, i, ItemRole::text, lines[i].name, lines[i].value);
         for (const TestStep step : {TestStep::sound_left, TestStep::sound_right, TestStep::motors})
@@ -190,7 +191,7 @@ struct List {
     }
 
     [[nodiscard]] std::string day_in_words(std::chrono::sys_days day) const {
-        const int days_ago = static_cast<int>((world.today - day).count());
+        const int days_ago = static_cast<int>((world.kiosk.today - day).count());
         if (days_ago == 0) return words("today");
         if (days_ago == 1) return words("yesterday");
         return world.language.counted("operator", "{0} day ago", "{0} days ago", days_ago);
@@ -213,7 +214,7 @@ struct List {
     /// The newest first. A day that the clock has not reached is in the table only.
     void add_days() {
         for (auto day = world.days.rbegin(); day != world.days.rend(); ++day)
-            if (day->day <= world.today && items.size() < shown_days)
+            if (day->day <= world.kiosk.today && items.size() < shown_days)
                 add(OperatorItem::fact, items.size(), ItemRole::text, day_in_words(day->day),
                     counts_in_words(day->counts));
     }
@@ -250,7 +251,7 @@ struct List {
             case OperatorPlace::self_test:
                 return add_tests();
             case OperatorPlace::live:
-                return add_texts(OperatorItem::fact, ItemRole::text, world.live);
+                return add_texts(OperatorItem::fact, ItemRole::text, world.kiosk.live);
             case OperatorPlace::library:
                 return add_texts(OperatorItem::on_stick, ItemRole::choice, world.on_stick);
             case OperatorPlace::counters:
@@ -283,10 +284,10 @@ std::string own_text(const Operator& state, const OperatorWorld& world) {
                                       {std::to_string(shown_days)});
     if (state.place == OperatorPlace::status) {
         const bool is_well =
-            health_lines(world.health, world.language).front().urgency != Urgency::trouble;
+            health_lines(world.kiosk.health, world.language).front().urgency != Urgency::trouble;
         text = words(is_well ? "Everything works." : "Something does not work.") + ' ' + text;
     }
-    if (is_of_pin(state.place) && !world.is_private)
+    if (is_of_pin(state.place) && !world.kiosk.is_private)
         add_sentence(text, words("Each press clicks. Plug in headphones to hear the digits."));
     return text;
 }

@@ -14,7 +14,7 @@ std::string shown_pin(const PinEntry& pin) {
 
 /// Speaks only if nobody else hears it; else gives one click (accessibility, EN 301 549 5.1.3.8).
 void tell(OperatorTurn& turn, const std::string& text) {
-    if (turn.world.is_private)
+    if (turn.world.kiosk.is_private)
         turn.say(text);
     else
         turn.order(Click{});

@@ -158,7 +158,7 @@ void leave_when_idle(OperatorTurn& turn) {
 
 /// Says each new instruction for the handle, also during homing that began before.
 void follow_homing(OperatorTurn& turn) {
-    const std::string& words = turn.world.device_words;
+    const std::string& words = turn.world.kiosk.device_words;
     if (std::exchange(turn.state().device_words, words) == words) return;
     turn.state().note = words.empty() ? turn.words("The handle is ready.") : words;
     turn.say(turn.state().note);

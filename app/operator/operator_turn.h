@@ -45,8 +45,8 @@ struct OperatorTurn {
         now.place = place;
         now.focus = 0;
         now.is_held = false;
-        now.device_words = world.device_words;
-        now.note = place == OperatorPlace::homing ? world.device_words : "";
+        now.device_words = world.kiosk.device_words;
+        now.note = place == OperatorPlace::homing ? world.kiosk.device_words : "";
         const bool is_after_test = from == OperatorPlace::test_step;
         const ItemMeaning left =
             is_after_test ? ItemMeaning{OperatorItem::test, static_cast<std::size_t>(now.test.step)}

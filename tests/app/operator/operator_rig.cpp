@@ -42,23 +42,18 @@ OperatorWorld OperatorRig::world() const {
     std::vector<OfferedProfile> offered;
     for (const Profile& profile : profiles) offered.push_back({profile.name, profile.rows});
     const Settings settings = in_memory ? *in_memory : read_settings(files).settings;
-    return {language,
-            now_s,
-            has_pin(folder / "operator.pin"),
-            is_private,
-            settings,
-            sound,
-            keys,
-            {{"en", "English"}, {"de", "Deutsch"}, {"fr", "Français"}, {"es", "Español"}},
-            std::move(offered),
-            days,
-            today,
-            packs,
-            {"Force 0.5 newtons", "Level 2"},
-            kind,
-            bounds,
-            device_words,
-            health};
+    return {
+        language,
+        now_s,
+        has_pin(folder / "operator.pin"),
+        settings,
+        sound,
+        keys,
+        {{"en", "English"}, {"de", "Deutsch"}, {"fr", "Français"}, {"es", "Español"}},
+        std::move(offered),
+        days,
+        packs,
+        {is_private, {"Force 0.5 newtons", "Level 2"}, kind, bounds, device_words, today, health}};
 }
 
 SpokenScreen OperatorRig::screen() const {

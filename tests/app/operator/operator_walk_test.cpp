@@ -46,8 +46,8 @@ OperatorWorld still_world(const Language& language) {
     world.languages = {{"en", "English"}, {"de", "Deutsch"}};
     world.profiles = {{"child", {0, 1}}, {"expert", {}}};
     world.on_stick = {"Castles"};
-    world.live = {"0.5 N"};
-    world.kind = "2diy-gen2";
+    world.kiosk.live = {"0.5 N"};
+    world.kiosk.kind = "2diy-gen2";
     return world;
 }
 

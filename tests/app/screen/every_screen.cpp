@@ -32,24 +32,24 @@ void add_visit(const Language& language, std::vector<NamedScreen>& screens) {
 }
 
 OperatorWorld busy_world(const Language& language) {
-    OperatorWorld world{language, 0.0, true, true, {}, {}, default_keys()};
+    OperatorWorld world{language, 0.0, true, {}, {}, default_keys()};
     for (const Language& each : all_languages())
         world.languages.push_back({each.code(), each.name()});
     world.profiles = {{"child", {0, 1}}, {"expert", {2}}};
-    world.today = std::chrono::year(2026) / 3 / 1;
+    world.kiosk.today = std::chrono::year(2026) / 3 / 1;
     for (int i = 0; i < 40; ++i)
         world.days.push_back(
-            {world.today - std::chrono::days(40 - i), {1234, 567, 89, 10, 4321, 5}});
+            {world.kiosk.today - std::chrono::days(40 - i), {1234, 567, 89, 10, 4321, 5}});
     world.on_stick = {"shapes-and-a-boat", "animals of the forest"};
-    world.live = {"Contact: on a line", "Level: 2.5 of 6, by speed", "Force: 0.6 N"};
-    world.health.handle_trouble = spoken_fault(Fault::knob_lost, language);
-    world.health.has_motors = true;
-    world.health.homed_ago_s = 7200.0;
-    world.health.has_sound = false;
-    world.health.camera = CameraHealth::stopped;
-    world.health.can_keep = false;
-    world.health.faults_today = 5;
-    world.health.version = "1.0.0";
+    world.kiosk.live = {"Contact: on a line", "Level: 2.5 of 6, by speed", "Force: 0.6 N"};
+    world.kiosk.health.handle_trouble = spoken_fault(Fault::knob_lost, language);
+    world.kiosk.health.has_motors = true;
+    world.kiosk.health.homed_ago_s = 7200.0;
+    world.kiosk.health.has_sound = false;
+    world.kiosk.health.camera = CameraHealth::stopped;
+    world.kiosk.health.can_keep = false;
+    world.kiosk.health.faults_today = 5;
+    world.kiosk.health.version = "1.0.0";
     return world;
 }
 
