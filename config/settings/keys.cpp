@@ -76,7 +76,8 @@ std::optional<PhysicalKey> function_key(std::string_view name) {
 std::optional<PhysicalKey> numbered_key(std::string_view name) {
     for (const NumberedSource& kind : numbered) {
         if (!name.starts_with(kind.name)) continue;
-        const auto number = number_between(name.substr(kind.name.size()), kind.least, kind.most);
+        const auto number =
+            number_in<std::uint32_t>(name.substr(kind.name.size()), kind.least, kind.most);
         if (number) return PhysicalKey{kind.source, *number};
     }
     return std::nullopt;
