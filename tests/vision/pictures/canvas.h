@@ -2,6 +2,8 @@
 // Threads: one canvas, one thread.
 #pragma once
 
+#include "config/types/pinned.h"
+
 #include <string>
 #include <vector>
 
@@ -33,13 +35,11 @@ struct Font {
     bool is_italic = false;
 };
 
-class Canvas {
+class Canvas : Pinned {
   public:
     /// Begins with bare paper. Colours are BGR, 0..255, as everywhere in OpenCV.
     Canvas(cv::Size size, const cv::Scalar& paper);
     ~Canvas();
-    Canvas(const Canvas&) = delete;
-    Canvas& operator=(const Canvas&) = delete;
 
     /// Fills all rings together by the even-odd rule.
     void fill(const std::vector<Polyline>& rings, const cv::Scalar& ink);

@@ -1,6 +1,7 @@
 #include "vision/simplify/trace.h"
 
 #include "config/types/map_frame.h"
+#include "config/types/pinned.h"
 #include "tests/vision/contour/shapes.h"
 #include "tests/vision/pictures/canvas.h"
 
@@ -99,16 +100,13 @@ TEST(Trace, UnusableArgumentsAreOneClearLine) {
 }
 
 /// Acts like OpenCV's own memory when it runs out, or fails with another error code.
-class Failing final : public cv::MatAllocator {
+class Failing final : public cv::MatAllocator, Pinned {
   public:
     explicit Failing(int code) : code_(code), before_(cv::Mat::getDefaultAllocator()) {
         cv::Mat::setDefaultAllocator(this);
     }
 
     ~Failing() override { cv::Mat::setDefaultAllocator(before_); }
-
-    Failing(const Failing&) = delete;
-    Failing& operator=(const Failing&) = delete;
 
     cv::UMatData* allocate(int, const int*, int, void*, std::size_t*, cv::AccessFlag,
                            cv::UMatUsageFlags) const override {
