@@ -4,6 +4,7 @@
 // Threads: one caller.
 #pragma once
 
+#include "config/types/pinned.h"
 #include "vision/camera/capture_sequence.h"
 #include "vision/camera/frame.h"
 
@@ -28,15 +29,8 @@ struct CameraView {
 
 constexpr std::int64_t preview_pixels = std::int64_t{640} * 480;
 
-class Camera {
+class Camera : public Interface {
   public:
-    Camera() = default;
-    Camera(const Camera&) = delete;
-    Camera(Camera&&) = delete;
-    Camera& operator=(const Camera&) = delete;
-    Camera& operator=(Camera&&) = delete;
-    virtual ~Camera() = default;
-
     [[nodiscard]] virtual std::vector<CameraName> list() = 0;
     /// Chooses the camera to use from the next step on, whenever it is plugged in; another one
     /// never takes its place. "" (as at the start) takes whichever comes first.

@@ -2,6 +2,7 @@
 // and reports what the camera says; capture_sequence.h decides when to order what.
 #pragma once
 
+#include "config/types/pinned.h"
 #include "config/types/result.h"
 #include "vision/camera/frame.h"
 
@@ -47,15 +48,8 @@ struct TakenFrame {
 };
 
 /// Threads: one caller.
-class CameraPort {
+class CameraPort : public Interface {
   public:
-    CameraPort() = default;
-    CameraPort(const CameraPort&) = delete;
-    CameraPort(CameraPort&&) = delete;
-    CameraPort& operator=(const CameraPort&) = delete;
-    CameraPort& operator=(CameraPort&&) = delete;
-    virtual ~CameraPort() = default;
-
     /// Returns the cameras that are plugged in now.
     [[nodiscard]] virtual std::vector<CameraName> list() = 0;
     /// Takes the camera for this program and returns its abilities. One camera at a time.

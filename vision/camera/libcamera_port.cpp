@@ -120,7 +120,7 @@ bool has_exposure_lock(const libcamera::Camera& camera) {
 
 /// One run of a camera's stream, or of its two: buffers, requests, the newest frame. Threads: one
 /// caller, besides libcamera's own thread, which calls has_completed().
-class LibcameraPort::Stream {
+class LibcameraPort::Stream : Pinned {
   public:
     /// Configures, starts and requests frames. `camera` is acquired, and stays so while this object
     /// lives.
@@ -148,11 +148,6 @@ class LibcameraPort::Stream {
         if (configuration_)
             for (const auto& stream : *configuration_) allocator_.free(stream.stream());
     }
-
-    Stream(const Stream&) = delete;
-    Stream(Stream&&) = delete;
-    Stream& operator=(const Stream&) = delete;
-    Stream& operator=(Stream&&) = delete;
 
     void order(LoopOrder order) {
         switch (order) {
@@ -306,13 +301,7 @@ class LibcameraPort::Stream {
     std::vector<libcamera::Request*> completed_;  // under the mutex, oldest first
 };
 
-struct LibcameraPort::Cameras {
-    Cameras() = default;
-    Cameras(const Cameras&) = delete;
-    Cameras(Cameras&&) = delete;
-    Cameras& operator=(const Cameras&) = delete;
-    Cameras& operator=(Cameras&&) = delete;
-
+struct LibcameraPort::Cameras : Pinned {
     ~Cameras() {
         release();
         if (is_started) manager.stop();

@@ -15,10 +15,6 @@ class LibcameraPort : public CameraPort {
     /// Fails if libcamera does not start. Having no camera is not a failure.
     [[nodiscard]] static Result<std::unique_ptr<LibcameraPort>> create();
     ~LibcameraPort() override;
-    LibcameraPort(const LibcameraPort&) = delete;
-    LibcameraPort(LibcameraPort&&) = delete;
-    LibcameraPort& operator=(const LibcameraPort&) = delete;
-    LibcameraPort& operator=(LibcameraPort&&) = delete;
 
     [[nodiscard]] std::vector<CameraName> list() override;
     [[nodiscard]] Result<CameraAbilities> open(const std::string& id) override;

@@ -22,10 +22,6 @@ class StreamCamera : public Camera {
   public:
     explicit StreamCamera(std::unique_ptr<CameraPort> port, const CaptureLimits& limits = {});
     ~StreamCamera() override;
-    StreamCamera(const StreamCamera&) = delete;
-    StreamCamera(StreamCamera&&) = delete;
-    StreamCamera& operator=(const StreamCamera&) = delete;
-    StreamCamera& operator=(StreamCamera&&) = delete;
 
     [[nodiscard]] std::vector<CameraName> list() override { return port_->list(); }
 

@@ -1,6 +1,5 @@
-#include "vision/contour/centring.h"
-
 #include "vision/contour/gradient.h"
+#include "vision/contour/skeleton.h"
 
 #include <algorithm>
 #include <cmath>

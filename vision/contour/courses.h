@@ -1,9 +1,11 @@
-// The directions of strokes before they come to where they meet; tips that thinning has turned into
-// bends.
+// The directions of strokes before they come to where they meet, and what the strokes do there: a
+// corner, however sharp, a crossing, or a line that meets another; tips that thinning has turned
+// into bends.
 // Threads: values and pure functions.
 #pragma once
 
 #include "vision/contour/chain.h"
+#include "vision/contour/junctions.h"
 #include "vision/contour/skeleton.h"
 
 #include <optional>
@@ -29,7 +31,7 @@ struct Course {
 /// The courses of all ends of a skeleton. Refers to the skeleton that it was made from.
 class Courses {
   public:
-    /// As joints_of() in joints.h. O(points of the arms).
+    /// As joints_of(). O(points of the arms).
     Courses(const Skeleton& skeleton, const cv::Mat1f& depth, std::vector<double> usual_depth_px);
 
     /// Returns nothing if the arm is bent or all flowed together.
@@ -56,5 +58,21 @@ class Courses {
 /// the arm is split in the middle of that ink, and the two ends make a node. depth: as for
 /// skeleton_of(). O(points of the arms).
 [[nodiscard]] Skeleton with_hairpins_parted(const Skeleton& skeleton, const cv::Mat1f& depth);
+
+struct Joints {
+    std::vector<SolvedJunction> solved;
+    std::vector<std::vector<EndId>> unsolved;  // ends that meet but whose courses tell nothing
+    std::vector<bool> is_dropped;  // of each arm: the tip of a corner, the inside of a crossing
+};
+
+/// Solves the places where strokes meet. Where two strokes of half width h meet at an angle a,
+/// their ink is one wedge from h (1 - sin) / (sin (1 + sin)) inside the corner to h / sin beyond
+/// it, sin = sin(a / 2), and the skeleton has an arm along it that nobody drew. That arm is
+/// dropped, and the strokes meet where their courses cross. The same holds for two strokes that
+/// cross at a sharp angle, whose skeleton is two forks and a bridge. A mitre, a round and a
+/// bevelled join end alike. depth: distance to the edge of the ink. O(points of the arms + ends
+/// squared of each node).
+[[nodiscard]] Joints joints_of(const Skeleton& skeleton, const cv::Mat1f& depth,
+                               const std::vector<double>& usual_depth_px);
 
 }  // namespace touchline

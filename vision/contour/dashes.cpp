@@ -1,6 +1,5 @@
-#include "vision/contour/dashes.h"
-
 #include "vision/contour/gradient.h"
+#include "vision/contour/linking.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,3 @@
-#include "vision/contour/fading.h"
-
 #include "vision/contour/region_map.h"
 
 #include <algorithm>

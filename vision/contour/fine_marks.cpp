@@ -1,5 +1,3 @@
-#include "vision/contour/fine_marks.h"
-
 #include "vision/contour/ink_parts.h"
 #include "vision/contour/region_map.h"
 #include "vision/prepare/paper.h"

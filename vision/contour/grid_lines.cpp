@@ -1,4 +1,4 @@
-#include "vision/contour/grid_lines.h"
+#include "vision/contour/ink_parts.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
-// Separates strokes from shapes, in ink and in a map of colours.
-// Threads: pure functions (OpenCV uses its own inside).
+// Separates strokes from shapes, in ink and in a map of colours, and from the pale lines behind a
+// chart and the squares of squared paper, which help an eye to measure but hide a chart from a
+// hand. Threads: pure functions (OpenCV uses its own inside).
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -38,5 +39,14 @@ struct ThinParts {
 /// count: between two shapes such an area is a gap, within one a line. Strokes of several colours
 /// side by side that are wide together are not strokes. O(pixels x colours).
 [[nodiscard]] ThinParts thin_parts_of(const cv::Mat1b& map, double greatest_width_px);
+
+/// As a share of the strongest contrast in a picture; anything stronger is no grid.
+inline constexpr double palest = 0.4;
+
+/// Returns 255 where the pale strokes (255) are such a grid; an empty matrix if there is none. A
+/// grid is three or more evenly spaced parallel straight lines, level or upright to within 3
+/// degrees, with the remaining pieces of others on their spacing, and more than half of everything
+/// that is as pale. O(pixels).
+[[nodiscard]] cv::Mat1b grid_of(const cv::Mat1b& pale, double greatest_width_px);
 
 }  // namespace touchline

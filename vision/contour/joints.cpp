@@ -1,5 +1,3 @@
-#include "vision/contour/joints.h"
-
 #include "vision/contour/courses.h"
 
 #include <algorithm>

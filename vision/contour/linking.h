@@ -1,5 +1,6 @@
-// Joins separate edge lines to outlines: junctions, gaps, closing, the frame.
-// Threads: pure function. O(n log n) in the points, if ends do not crowd.
+// Joins lines: separate edges to outlines, dashes and dots in a row, which a hand takes as one
+// line, and the two edges of a narrow stripe (a pole, a pen stroke, a branch). Threads: pure
+// functions.
 #pragma once
 
 #include "vision/contour/chain.h"
@@ -28,7 +29,27 @@ struct Linked {
 /// * an end near another line (or further along its own) meets it there: a junction.
 /// At a junction, arms that continue each other within 30 degrees run through as one outline;
 /// others end there. All have the junction's point exactly, marked fixed. A line with both ends on
-/// the frame is closed along it if the frame cuts off a shape.
+/// the frame is closed along it if the frame cuts off a shape. O(n log n) in the points, if ends do
+/// not crowd.
 [[nodiscard]] Linked linked(std::vector<Chain> lines, cv::Size picture, const Reach& reach);
+
+/// Joins dashes (short open lines, up to 7 mm) and dots (small rings, up to 3 mm across) into one
+/// line through them, LineOf::dashed or LineOf::dotted, if they follow one another in one course,
+/// at gaps of at most 4.2 mm, and are alike in length and in gaps. The line is closed if the last
+/// leads to the first. It takes three dashes or five dots. Dots that lie in a field, letters that
+/// are not alike, and more than 2000 pieces stay. Lengths in pixels: `mm_px` is a millimetre.
+/// O(pieces squared in the worst case, else of those near each other).
+[[nodiscard]] std::vector<Chain> with_dashes_joined(std::vector<Chain> lines, double mm_px);
+
+/// Merges two lines less than `widest_px` apart into one in the middle if they face each other with
+/// opposite light (both sides of a dark stripe are lighter, of a light one darker) along more than
+/// 70 % of the shorter one. `width_px` is their mean distance if the stripe is most of the line,
+/// else 0. A ring that faces itself in this way becomes an open line. The shorter line's other
+/// stretches are dropped, unless they continue the longer one beyond its end; the longer line's
+/// stay. A line is merged once, the narrowest pairs first. Fixed points move with their line, as do
+/// those of other lines that share them. Lines whose light side is not known stay as they are.
+/// Lines that are not merged keep their order. O(points x points within reach).
+[[nodiscard]] std::vector<Chain> with_double_edges_merged(std::vector<Chain> chains,
+                                                          cv::Size picture, double widest_px);
 
 }  // namespace touchline

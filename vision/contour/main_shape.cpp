@@ -1,5 +1,6 @@
 #include "vision/contour/main_shape.h"
 
+#include "config/types/pinned.h"
 #include "vision/contour/gradient.h"
 #include "vision/contour/region_map.h"
 #include "vision/contour/rings.h"
@@ -92,14 +93,11 @@ cv::Mat1b seeded_by_spot(const LabPicture& lab, const cv::Point& spot) {
 }
 
 /// Gives the same random numbers on every call, whatever else used the thread's random state.
-class FixedRandomState {
+class FixedRandomState : Pinned {
   public:
     FixedRandomState() : before_(cv::theRNG().state) { cv::theRNG().state = 20051; }
 
     ~FixedRandomState() { cv::theRNG().state = before_; }
-
-    FixedRandomState(const FixedRandomState&) = delete;
-    FixedRandomState& operator=(const FixedRandomState&) = delete;
 
   private:
     std::uint64_t before_;

@@ -1,7 +1,6 @@
 #include "vision/contour/photo_lines.h"
 
 #include "vision/contour/corners.h"
-#include "vision/contour/double_edges.h"
 #include "vision/contour/edge_lines.h"
 #include "vision/contour/linking.h"
 #include "vision/contour/texture.h"

@@ -1,5 +1,5 @@
 // The few colours of a flat picture, and the colour of each pixel, without the mixtures along edges
-// and the specks.
+// and the specks; areas that fade into one another; marks too small for an area of their own.
 // Threads: pure functions.
 #pragma once
 
@@ -52,5 +52,33 @@ struct Run {
 
 /// Row by row, from the left. O(pixels).
 [[nodiscard]] std::vector<Run> runs_of(const cv::Mat1b& map);
+
+/// Joins regions of the map if their common border is no step, but part of a slow change of colour.
+/// Each joined region gets its own colour at the end of the palette; the ground keeps its colour.
+/// Does not join two regions of one even colour each, because a step may be blurred, nor two that
+/// meet in a step elsewhere: a shape that fades into the ground on one side stays whole. Returns
+/// 255 where remaining borders run without a step, a pixel to each side.
+/// At most 256 colours; regions beyond that stay apart. More than 1500 regions are grain and stay
+/// as they are. O(pixels + regions squared).
+[[nodiscard]] cv::Mat1b join_fading(cv::Mat1b& map, std::vector<cv::Vec3f>& palette,
+                                    const LabPicture& lab);
+
+struct FineMarks {
+    cv::Mat1b lines;     // 255 inside: long, or parts of the known strokes
+    cv::Mat1b bits;      // all others: dashes, dots, letters
+    cv::Mat1f contrast;  // to the area around, grey levels
+};
+
+/// An area's colours, without its strokes.
+struct Areas {
+    const cv::Mat1b& map;
+    const std::vector<cv::Vec3f>& palette;
+};
+
+/// Finds thin pixels of a picture that differ from their area clearly and abruptly. `strokes` are
+/// the ones already known; `smoothing_px` is the picture's smoothing. O(pixels).
+[[nodiscard]] FineMarks fine_marks(const LabPicture& lab, const Areas& areas,
+                                   const cv::Mat1b& strokes, double noise, double smoothing_px,
+                                   double greatest_width_px);
 
 }  // namespace touchline

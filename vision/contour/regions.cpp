@@ -1,10 +1,6 @@
 #include "vision/contour/regions.h"
 
 #include "vision/contour/corners.h"
-#include "vision/contour/dashes.h"
-#include "vision/contour/fading.h"
-#include "vision/contour/fine_marks.h"
-#include "vision/contour/grid_lines.h"
 #include "vision/contour/ink_parts.h"
 #include "vision/contour/junctions.h"
 #include "vision/contour/linking.h"

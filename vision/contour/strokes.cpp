@@ -1,11 +1,8 @@
 #include "vision/contour/strokes.h"
 
-#include "vision/contour/centring.h"
 #include "vision/contour/corners.h"
 #include "vision/contour/courses.h"
-#include "vision/contour/grid_lines.h"
 #include "vision/contour/ink_parts.h"
-#include "vision/contour/joints.h"
 #include "vision/contour/junctions.h"
 #include "vision/contour/rings.h"
 #include "vision/contour/skeleton.h"

@@ -1,4 +1,5 @@
-// A face's mesh as lines, each for a part that has a name. Threads: pure functions.
+// A face's mesh as lines, each for a part that has a name, and the outline of its person: hair or
+// hat, neck, shoulders. Threads: pure functions.
 #pragma once
 
 #include "config/types/thing_name.h"
@@ -38,5 +39,21 @@ struct FaceTurn {
 /// Returns closed lines round everything that the face covers, pixels: its two halves, from the
 /// line through its middle, nose and lips, to its sides.
 [[nodiscard]] std::vector<std::vector<cv::Point2d>> face_halves(const FaceMesh& mesh);
+
+/// A part of a picture and a mask for it, stretched to any size: 128 and more is person.
+struct PersonMask {
+    cv::Mat1b mask;
+    cv::Rect part;  // pixels of the picture, which holds the part
+};
+
+/// Returns the part of a picture that shows head and shoulders of a face, at the size that suits
+/// the network for persons best. Empty if the face lies beside the picture.
+[[nodiscard]] cv::Rect head_and_shoulders(const FaceMesh& mesh, cv::Size picture);
+
+/// Returns the outline of the one person in the mask who has this face, all of which counts as
+/// person. Pixels of the picture; one closed line, or open ones if the sides of the part cut it.
+/// Returns none if the mask does not reach the face. Works on the part at 320 pixels: cut a larger
+/// one to head_and_shoulders() first. O(pixels of the mask).
+[[nodiscard]] std::vector<PartLine> person_outline(const PersonMask& person, const FaceMesh& mesh);
 
 }  // namespace touchline

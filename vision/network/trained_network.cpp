@@ -1,5 +1,7 @@
 #include "vision/network/trained_network.h"
 
+#include "config/types/pinned.h"
+
 #include <algorithm>
 #include <new>
 #include <utility>
@@ -22,14 +24,11 @@ void no_lack_of_memory(const cv::Exception& e) {
 }
 
 /// OpenCV's importer also reports its errors to stderr; they come back as exceptions.
-class Quiet {
+class Quiet : Pinned {
   public:
     Quiet() : before_(cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT)) {}
 
     ~Quiet() { cv::utils::logging::setLogLevel(before_); }
-
-    Quiet(const Quiet&) = delete;
-    Quiet& operator=(const Quiet&) = delete;
 
   private:
     cv::utils::logging::LogLevel before_;

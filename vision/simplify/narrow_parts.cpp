@@ -1,8 +1,7 @@
-#include "vision/simplify/narrow_parts.h"
-
 #include "vision/contour/junctions.h"
 #include "vision/contour/rings.h"
 #include "vision/contour/skeleton.h"
+#include "vision/simplify/shaping.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 #include "vision/simplify/trace.h"
 
 #include "vision/contour/chain.h"
-#include "vision/contour/dashes.h"
 #include "vision/contour/edge_lines.h"
 #include "vision/contour/gradient.h"
+#include "vision/contour/linking.h"
 #include "vision/contour/main_shape.h"
 #include "vision/contour/regions.h"
 #include "vision/contour/strokes.h"

@@ -10,7 +10,6 @@
 #include "haptics/servo/real_time.h"
 #include "vision/contour/gradient.h"
 #include "vision/face/face_network.h"
-#include "vision/face/person_network.h"
 #include "vision/figure/figure_network.h"
 #include "vision/name/name_network.h"
 #include "vision/name/names.h"

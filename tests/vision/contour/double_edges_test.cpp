@@ -1,4 +1,4 @@
-#include "vision/contour/double_edges.h"
+#include "vision/contour/linking.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,6 @@
 
 #include "app/documents/decode/files.h"
 #include "tests/vision/face/made_face.h"
-#include "vision/face/person_network.h"
 
 #include <algorithm>
 #include <array>

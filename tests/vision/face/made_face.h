@@ -2,8 +2,8 @@
 // Threads: pure functions.
 #pragma once
 
+#include "vision/face/face_lines.h"
 #include "vision/face/face_mesh.h"
-#include "vision/face/person_outline.h"
 
 #include <string>
 

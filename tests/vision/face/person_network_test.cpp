@@ -1,9 +1,8 @@
 // The shipped network on pictures that the tests draw.
-#include "vision/face/person_network.h"
-
 #include "app/documents/decode/files.h"
 #include "tests/vision/face/made_face.h"
 #include "vision/face/face_mesh.h"
+#include "vision/face/face_network.h"
 
 #include <limits>
 #include <random>

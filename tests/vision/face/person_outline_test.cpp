@@ -1,6 +1,5 @@
-#include "vision/face/person_outline.h"
-
 #include "tests/vision/face/made_face.h"
+#include "vision/face/face_lines.h"
 
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>

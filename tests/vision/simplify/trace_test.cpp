@@ -1,6 +1,7 @@
 #include "vision/simplify/trace.h"
 
 #include "config/types/map_frame.h"
+#include "config/types/pinned.h"
 #include "tests/vision/contour/shapes.h"
 #include "tests/vision/pictures/canvas.h"
 
@@ -99,7 +100,7 @@ TEST(Trace, UnusableArgumentsAreOneClearLine) {
 }
 
 /// Acts like OpenCV's own memory when it runs out, or fails with another error code.
-class Failing final : public cv::MatAllocator {
+class Failing final : public cv::MatAllocator, Pinned {
   public:
     explicit Failing(int code) : code_(code), before_(cv::Mat::getDefaultAllocator()) {
         cv::Mat::setDefaultAllocator(this);

@@ -6,7 +6,6 @@
 #include "app/documents/models/networks.h"
 #include "tests/lab/bench/vision/pictures.h"
 #include "vision/face/face_network.h"
-#include "vision/face/person_network.h"
 #include "vision/name/name_network.h"
 #include "vision/name/names.h"
 
