@@ -53,13 +53,17 @@ void add_sentence(std::string& text, const std::string& sentence) {
     text += sentence;
 }
 
+std::string told_place(const SpokenScreen& screen, std::size_t item, const Language& language) {
+    return language.text("screen", "{0} of {1}",
+                         {std::to_string(item + 1), std::to_string(screen.items.size())});
+}
+
 std::string spoken_item(const SpokenScreen& screen, std::size_t item, const Language& language) {
     const ScreenItem& shown = screen.items.at(item);
     std::string sentence = shown.name;
     add(sentence, shown.value);
     add(sentence, words_of(shown.role, language));
-    add(sentence, language.text("screen", "{0} of {1}",
-                                {std::to_string(item + 1), std::to_string(screen.items.size())}));
+    add(sentence, told_place(screen, item, language));
     return sentence;
 }
 
@@ -68,6 +72,16 @@ std::string spoken_screen(const SpokenScreen& screen, const Language& language) 
     add_sentence(text, screen.text);
     if (screen.focus) add_sentence(text, spoken_item(screen, *screen.focus, language));
     return text;
+}
+
+std::vector<KeyRole> acting_keys(const SpokenScreen& screen) {
+    std::vector<KeyRole> keys;
+    if (screen.takes_any_key) return keys;
+    if (screen.items.size() > 1 || screen.is_turning) keys = {KeyRole::up, KeyRole::down};
+    keys.insert(keys.end(), {KeyRole::back, KeyRole::repeat});
+    if (screen.focus) keys.push_back(KeyRole::select);
+    keys.push_back(KeyRole::help);
+    return keys;
 }
 
 std::optional<FocusMove> move_focus(const SpokenScreen& screen, bool is_down) {

@@ -37,9 +37,16 @@ struct SpokenScreen {
     std::vector<ScreenItem> items;
     std::optional<std::size_t> focus;  // an index of items; nothing: no item has it
     ScreenView view = ScreenView::none;
+    std::vector<std::string> way = {};  // titles of the screens below this one, from the first
+    bool takes_any_key = false;         // every key does the same
+    bool is_turning = false;            // Up and Down change the value of the item with the focus
 
     friend bool operator==(const SpokenScreen&, const SpokenScreen&) = default;
 };
+
+/// "2 of 5". `item` is an index of screen.items.
+[[nodiscard]] std::string told_place(const SpokenScreen& screen, std::size_t item,
+                                     const Language& language);
 
 /// "Cat, 2 of 5", "Firmness, medium, setting, 1 of 4": name, value, role if it can change, place.
 /// `item` is an index of screen.items.
@@ -71,6 +78,9 @@ inline constexpr std::size_t list_page = 10;  // rows
 /// Appends the sentence, with a full stop before it if there was none. Does nothing for an empty
 /// sentence.
 void add_sentence(std::string& text, const std::string& sentence);
+
+/// The keys that do something now, in the order of KeyRole. None where any key does the same.
+[[nodiscard]] std::vector<KeyRole> acting_keys(const SpokenScreen& screen);
 
 struct FocusMove {
     std::size_t focus = 0;

@@ -73,6 +73,17 @@ void mind_the_only_item(VisitSheet& sheet) {
     hint = sheet.words(is_back ? "Press Select to go back." : only_hint);
 }
 
+/// The titles of the screens that Back leads to, the first one first.
+std::vector<std::string> way_to(const VisitSheet& sheet) {
+    const Visitor& visitor = sheet.visitor();
+    std::vector<std::string> way;
+    for (const Standing& below : visitor.path) {
+        if (&below == &open_standing(visitor)) break;
+        if (const char* const title = row_of(below.screen).title) way.push_back(sheet.words(title));
+    }
+    return way;
+}
+
 void turn_page(VisitWork& work, int change) {
     Standing& open = open_standing(work);
     open.about = std::max(open.about + change * static_cast<int>(list_page), 0);
@@ -190,6 +201,8 @@ SpokenScreen screen_of(const Visit& visit, const VisitWorld& world) {
     // A picture stays in view beneath what lies over it.
     const ScreenView beneath = row_of(visitor.path.back().screen).view;
     sheet.screen.view = beneath == ScreenView::picture ? beneath : row.view;
+    sheet.screen.way = way_to(sheet);
+    sheet.screen.takes_any_key = row.any_key != nullptr || visitor.leading.has_value();
     return sheet.screen;
 }
 
