@@ -1,6 +1,7 @@
 #include "app/kiosk/kiosk.h"
 
 #include "app/documents/sticks/spoken_name.h"
+#include "app/kiosk/attract.h"
 #include "app/visit/told_lines.h"
 #include "audio-cues/cues/cue_table.h"
 #include "audio-cues/words/language.h"
@@ -266,6 +267,21 @@ std::shared_ptr<const Canvas> Kiosk::preview() const {
     return photos_ && settings_.is_preview_allowed ? photos_->preview() : nullptr;
 }
 
+DrawnPicture Kiosk::drawn() const {
+    const ShownScene& attract = pictures_.attract();
+    const bool is_nobody_here = open_screen(visit_) == VisitScreen::attract && !is_operator_in();
+    if (!is_nobody_here || !attract.scene) return {shown(), hand()};
+    return {attract, attract_hand(*attract.scene, now_s_)};
+}
+
+std::vector<LineDrawingPtr> Kiosk::pictures_of(const SpokenScreen& screen) const {
+    std::vector<LineDrawingPtr> pictures;
+    if (is_operator_in() || open_screen(visit_) != VisitScreen::gallery) return pictures;
+    for (const ScreenItem& item : screen.items)
+        pictures.push_back(pictures_.lines_of(item.name, visit_.visitor.sound.language));
+    return pictures;
+}
+
 void Kiosk::follow_handle() {
     HandleSeen seen = handle_.take_seen();
     seen.part = picture_.part_at(hand());
@@ -305,8 +321,11 @@ LiveFacts Kiosk::live_facts() const {
     facts.message = told_of_device(handle_.servo().device_words(), language(), ToldTo::staff);
     const TactileMap* const map = picture_.map();
     if (map == nullptr) return facts;
-    if (visit_.visitor.felt) facts.place = visit_.visitor.felt->facts.place;
     facts.title = map->title;
+    if (const auto& felt = visit_.visitor.felt) {
+        facts.place = felt->facts.place;
+        facts.title = felt->facts.title;
+    }
     facts.detail = picture_.order().detail;
     if (shown().scene) facts.coarsest_level = shown().scene->curves.coarsest();
     return facts;

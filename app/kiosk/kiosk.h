@@ -59,6 +59,12 @@ struct KioskParts {
     std::shared_ptr<std::atomic<WrittenLanguage>> reading_language;
 };
 
+/// The picture on the screen and the hand on it.
+struct DrawnPicture {
+    ShownScene shown;
+    HandState hand;
+};
+
 class Kiosk : private Pinned {
   public:
     explicit Kiosk(KioskParts parts);
@@ -112,6 +118,14 @@ class Kiosk : private Pinned {
     [[nodiscard]] const ForceStatus& force() const { return handle_.force(); }
 
     [[nodiscard]] const ShownScene& shown() const { return picture_.shown(); }
+
+    /// What is felt; while nobody is here, a picture of the gallery and a hand that feels it.
+    [[nodiscard]] DrawnPicture drawn() const;
+
+    /// The lines of each item that is a picture of the gallery, else null. Empty if none is.
+    [[nodiscard]] std::vector<LineDrawingPtr> pictures_of(const SpokenScreen& screen) const;
+
+    [[nodiscard]] SwitchUse switches() const { return settings_.two_switches; }
 
     /// The camera's view while it is to be shown; else null.
     [[nodiscard]] std::shared_ptr<const Canvas> preview() const;

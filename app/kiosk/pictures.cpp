@@ -4,6 +4,7 @@
 #include "app/documents/decode/opening.h"
 #include "app/documents/gallery/gallery.h"
 #include "app/documents/packs/pack_library.h"
+#include "app/kiosk/attract.h"
 #include "app/visit/told_lines.h"
 
 #include <algorithm>
@@ -67,6 +68,21 @@ FilePtr at(const std::vector<FilePtr>& files, std::size_t index) {
     return index < files.size() ? files[index] : nullptr;
 }
 
+/// What is drawn of the gallery's pictures, whatever the language.
+Result<void> read_drawings(Gallery& gallery, const std::vector<GalleryEntry>& entries) {
+    constexpr std::string_view attractive = "-fish.svg";
+    for (const GalleryEntry& entry : entries) {
+        const auto map = read_map_svg(entry.path);
+        if (!map) return tl::unexpected(map.error());
+        gallery.lines.push_back(std::make_shared<const LineDrawing>(line_drawing(*map)));
+        if (!entry.path.ends_with(attractive)) continue;
+        auto scene = attract_scene(*map);
+        if (!scene) return tl::unexpected(scene.error());
+        gallery.attract = std::move(*scene);
+    }
+    return {};
+}
+
 /// True if the order is for another part or detail of what the visitor brought.
 bool is_of_same_file(const LoadPicture& order, const Visitor& visitor) {
     const auto& loading = visitor.loading;
@@ -91,6 +107,10 @@ Result<Gallery> read_gallery(const std::string& folder, const std::string& libra
         const LanguageTag tag{language.code()};
         const auto entries = list_gallery(folder, tag);
         if (!entries) return tl::unexpected(entries.error());
+        if (gallery.lines.empty()) {
+            const auto drawn = read_drawings(gallery, *entries);
+            if (!drawn) return tl::unexpected(drawn.error());
+        }
         std::vector<GalleryTitle>& titles = gallery.titles.emplace_back();
         std::vector<FilePtr>& files = gallery.files.emplace_back();
         for (const GalleryEntry& entry : *entries) {
@@ -127,6 +147,14 @@ FilePtr Pictures::of(const LoadPicture& order) const {
             return photo_;
     }
     return nullptr;
+}
+
+LineDrawingPtr Pictures::lines_of(const std::string& title, std::size_t language) const {
+    if (language >= gallery_.titles.size()) return nullptr;
+    const std::vector<GalleryTitle>& titles = gallery_.titles[language];
+    const auto found = std::ranges::find(titles, title, &GalleryTitle::title);
+    const auto place = static_cast<std::size_t>(found - titles.begin());
+    return place < gallery_.lines.size() ? gallery_.lines[place] : nullptr;
 }
 
 void Pictures::forget() {

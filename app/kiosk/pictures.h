@@ -5,6 +5,7 @@
 #include "app/kiosk/loading/loader.h"
 #include "app/kiosk/loading/stages.h"
 #include "app/kiosk/picture_facts.h"
+#include "app/screen/line_drawing.h"
 #include "app/visit/visit.h"
 #include "app/visit/visit_orders.h"
 #include "audio-cues/words/language.h"
@@ -25,6 +26,8 @@ struct Gallery {
     std::vector<std::vector<GalleryTitle>> titles;  // one list per language
     std::vector<std::vector<FilePtr>> files;        // one list per language, in the same order
     FilePtr circle, square;                         // to practise on
+    std::vector<LineDrawingPtr> lines;              // in the same order; null: of a pack
+    ShownScene attract;                             // shown while nobody is here
 };
 
 /// The maps of `folder` in every language, then the pictures of the packs in `library`
@@ -40,6 +43,12 @@ class Pictures {
     [[nodiscard]] const std::vector<std::vector<GalleryTitle>>& titles() const {
         return gallery_.titles;
     }
+
+    [[nodiscard]] const ShownScene& attract() const { return gallery_.attract; }
+
+    /// The lines of the picture with this title; null: there is none, or it is of a pack.
+    /// O(pictures).
+    [[nodiscard]] LineDrawingPtr lines_of(const std::string& title, std::size_t language) const;
 
     void put_stick(std::vector<FilePtr> files) { stick_ = std::move(files); }
 

@@ -81,11 +81,21 @@ std::vector<Language> offered(std::vector<Language> languages, const std::string
     return chosen;
 }
 
+/// What the staff's live view shows now; nothing: it is off.
+std::optional<LiveContent> live_content_of(const Kiosk& kiosk, ServoClient& servo) {
+    const Kiosk::WindowWishes& wishes = kiosk.window_wishes();
+    if (!wishes.shows_live_view) return std::nullopt;
+    return LiveContent{describe(kiosk.live_facts(), kiosk.hand(), kiosk.force(), kiosk.language()),
+                       wishes.shows_boxes, servo.lateness()};
+}
+
 /// What the kiosk's screen shows now. O(items of the screen).
-ScreenContent content_of(const Kiosk& kiosk) {
+ScreenContent content_of(const Kiosk& kiosk, ServoClient& servo) {
     const Visitor& visitor = kiosk.visit().visitor;
+    const DrawnPicture drawn = kiosk.drawn();
     ScreenContent content;
     content.screen = kiosk.screen();
+    content.pictures = kiosk.pictures_of(content.screen);
     content.caption = kiosk.caption();
     content.sound_sign = kiosk.sound_sign();
     content.text_size = static_cast<TextSize>(visitor.look.text_size);
@@ -93,9 +103,11 @@ ScreenContent content_of(const Kiosk& kiosk) {
     content.is_curtain = visitor.look.is_off && !kiosk.is_operator_in();
     content.preview = kiosk.preview();
     content.is_preview_on = content.preview != nullptr;
-    content.hand = kiosk.hand();
-    content.shown = kiosk.shown();
+    content.hand = drawn.hand;
+    content.shown = drawn.shown;
     content.language = kiosk.language();
+    content.switches = kiosk.switches();
+    content.live = live_content_of(kiosk, servo);
     return content;
 }
 
@@ -273,16 +285,7 @@ class KioskWindow {
         follow_pixels();
         const int width = window_->width_px();
         const int height = window_->height_px();
-        if (kiosk_->window_wishes().shows_live_view) {
-            FrameContent content{
-                describe(kiosk_->live_facts(), kiosk_->hand(), kiosk_->force(), kiosk_->language()),
-                kiosk_->window_wishes().shows_boxes, kiosk_->hand(), kiosk_->shown()};
-            content.timing = servo_->lateness();
-            content.language = kiosk_->language();
-            screen_->draw(content, width, height, time_ns);
-        } else {
-            screen_->draw(content_of(*kiosk_), width, height, time_ns);
-        }
+        screen_->draw(content_of(*kiosk_, *servo_), width, height, time_ns);
         window_->show_frame();
     }
 

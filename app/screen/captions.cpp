@@ -1,18 +1,18 @@
 #include "app/screen/captions.h"
 
 #include "app/screen/paint.h"
+#include "audio-cues/words/language.h"
 
 #include <algorithm>
 #include <numbers>
-#include <utility>
 
 namespace touchline {
 
 namespace {
 
-constexpr double caption_margin_caps = 0.5;
+constexpr double caption_margin_caps = 0.5;  // of the normal size
 constexpr double caption_widest_caps = 60.0;
-constexpr double shape_caps = 1.8;  // width of the sign's shape with its gap
+constexpr double sound_caps = 1.8;  // width of the sign's shape with its gap
 
 /// A disc with two waves.
 void paint_sound_shape(cairo_t* cr, PixelPoint left, double cap_px, Colour colour) {
@@ -29,78 +29,70 @@ void paint_sound_shape(cairo_t* cr, PixelPoint left, double cap_px, Colour colou
     }
 }
 
-std::vector<SheetPage> pages_of_caption(cairo_t* cr, const std::string& caption,
-                                        const CaptionLayout& layout) {
-    RowBlock block;
-    block.is_running = true;
-    for (std::string& line : broken_lines(cr, layout.text.width, {layout.sizes.cap_px}, caption))
-        block.rows.push_back({Phrase{0.0, 0.0, std::move(line)}});
-    constexpr double rounding = 1e-6;
-    const PageMetrics metrics{layout.text.height + rounding, line_height_px(layout.sizes.cap_px)};
-    return pages_of(std::span(&block, 1), metrics);
+double sign_width_px(cairo_t* cr, const std::string& sign, double cap_px) {
+    return sound_caps * cap_px + line_width_px(cr, {cap_px, true}, sign);
+}
+
+double widest_sign_px(cairo_t* cr, double cap_px, const Language& language) {
+    double widest_px = 0.0;
+    for (std::size_t cue = 0; cue < cue_count; ++cue)
+        widest_px = std::max(widest_px,
+                             sign_width_px(cr, words_of(static_cast<Cue>(cue), language), cap_px));
+    return widest_px;
 }
 
 }  // namespace
 
 CaptionLayout lay_out_caption(cairo_t* cr, const std::string& caption, const Rect& rect,
-                              int screen_height_px, const TextSizes& sizes) {
-    const CaptionRows rows = caption_rows(screen_height_px, sizes);
-    const double margin_px = caption_margin_caps * sizes.cap_px;
-    const double width_px =
-        std::max(std::min(rect.width - 2.0 * margin_px, caption_widest_caps * sizes.cap_px), 1.0);
-    const double left_px = rect.x + (rect.width - width_px) / 2.0;
-    const double top_px = rect.y + 0.25 * sizes.normal_px;
-    const double text_px = rows.rows * line_height_px(sizes.cap_px);
+                              const TextSizes& sizes, const Language& language) {
+    const double margin_px = caption_margin_caps * sizes.normal_px;
+    const double foot_px = line_height_px(sizes.normal_px);
+    const double across_px = std::max(rect.width - 2.0 * margin_px, 1.0);
+    const Rect room{rect.x + margin_px, rect.y + margin_px,
+                    std::min(across_px, caption_widest_caps * sizes.cap_px),
+                    rect.height - margin_px - foot_px};
     CaptionLayout layout;
     layout.rect = rect;
-    layout.text = {left_px, top_px, width_px, text_px};
-    layout.foot = {left_px, top_px + text_px, width_px, line_height_px(rows.sign_px)};
+    layout.text = turned_text(cr, caption, room, {sizes.cap_px}, sizes.normal_px);
+    layout.foot = {room.x, room.y + room.height, across_px, foot_px};
     layout.sizes = sizes;
-    layout.sign_px = rows.sign_px;
-    layout.pages = pages_of_caption(cr, caption, layout);
+    layout.has_key_names = legend_width_px(cr, whole_legend(language), sizes) +
+                               widest_sign_px(cr, sizes.normal_px, language) <=
+                           across_px;
     return layout;
 }
 
-SignLine sign_line(cairo_t* cr, const CaptionLayout& layout, const std::string& sign,
-                   const Language& language) {
+SignLine sign_line(cairo_t* cr, const CaptionLayout& layout, const std::string& sign) {
     constexpr double step = 0.96;
     constexpr double least_px = 6.0;
-    const LineStyle mark{layout.sizes.mark_px};
-    const double room_px =
-        layout.foot.width - layout.sizes.mark_px -
-        line_width_px(cr, mark, page_words(layout.pages.size() - 1, layout.pages.size(), language));
-    double cap_px = layout.sign_px;
-    double width_px = line_width_px(cr, {cap_px, true}, sign);
-    while (cap_px > least_px && shape_caps * cap_px + width_px > room_px) {
-        cap_px *= step;
-        width_px = line_width_px(cr, {cap_px, true}, sign);
-    }
+    double cap_px = layout.sizes.normal_px;
+    while (cap_px > least_px && sign_width_px(cr, sign, cap_px) > layout.foot.width) cap_px *= step;
+    const LineStyle style{cap_px, true};
+    const double width_px = line_width_px(cr, style, sign);
     const double above_px = (layout.foot.height - line_height_px(cap_px)) / 2.0;
-    return {{layout.foot.x + shape_caps * cap_px, layout.foot.y + above_px},
-            {cap_px, true},
+    return {{layout.foot.x + layout.foot.width - width_px, layout.foot.y + above_px},
+            style,
             width_px,
             sign};
 }
 
-void paint_captions(cairo_t* cr, const CaptionLayout& layout, std::size_t page,
-                    const std::string& sign, const Palette& palette, const Language& language) {
+void paint_captions(cairo_t* cr, const CaptionLayout& layout, const CaptionFace& face,
+                    const Palette& palette) {
     fill(cr, layout.rect, {palette.background});
     const double rim_px = std::max(0.06 * layout.sizes.normal_px, 1.0);
     fill(cr, {layout.rect.x, layout.rect.y, layout.rect.width, rim_px}, {palette.frame});
-    for (const PlacedPhrase& placed : layout.pages.at(page).phrases)
-        paint_line(cr, PixelPoint{layout.text.x, layout.text.y} + placed.at, {layout.sizes.cap_px},
-                   palette.text, placed.phrase.text);
-    if (!sign.empty()) {
-        const SignLine line = sign_line(cr, layout, sign, language);
-        const double middle_px = layout.foot.y + layout.foot.height / 2.0;
-        paint_sound_shape(cr, {layout.foot.x, middle_px}, line.style.cap_px, palette.text);
-        paint_line(cr, line.at, line.style, palette.text, line.text);
-    }
-    const std::string words = page_words(page, layout.pages.size(), language);
-    const LineStyle style{layout.sizes.mark_px};
-    const double x_px = layout.foot.x + layout.foot.width - line_width_px(cr, style, words);
-    const double above_px = (layout.foot.height - line_height_px(style.cap_px)) / 2.0;
-    paint_line(cr, {x_px, layout.foot.y + above_px}, style, palette.text, words);
+    paint_page_bar(cr, {layout.text.rect.x, layout.rect.y, layout.text.rect.width, 0.0}, face.page,
+                   layout.text.pages.size(), layout.sizes, palette);
+    paint_turned(cr, layout.text, face.page, palette.text);
+    paint_legend(cr, layout.foot, face.keys, layout.has_key_names, layout.sizes, palette);
+    if (face.sign.empty()) return;
+    const SignLine line = sign_line(cr, layout, face.sign);
+    const double shape_px = sound_caps * line.style.cap_px;
+    fill(cr, {line.at.x - shape_px, layout.foot.y, line.width_px + shape_px, layout.foot.height},
+         {palette.background});
+    paint_sound_shape(cr, {line.at.x - shape_px, layout.foot.y + layout.foot.height / 2.0},
+                      line.style.cap_px, palette.text);
+    paint_line(cr, line.at, line.style, palette.text, line.text);
 }
 
 }  // namespace touchline

@@ -1,10 +1,9 @@
-// The band along the lower edge: what is being said, and a sign with words for every short sound.
-// Threads: one at a time per Canvas.
+// The band along the lower edge: what is being said, the keys that act, and a sign with words for
+// every short sound. Threads: one at a time per Canvas.
 #pragma once
 
-#include "app/screen/layout.h"
-#include "app/screen/pages.h"
-#include "app/screen/text.h"
+#include "app/screen/key_legend.h"
+#include "app/screen/turned_text.h"
 #include "audio-cues/words/language.h"
 
 #include <string>
@@ -16,20 +15,18 @@ namespace touchline {
 
 struct CaptionLayout {
     Rect rect;
-    Rect text;  // of one page of the caption
-    Rect foot;  // the sign of a sound at the left, the page number at the right
+    TurnedText text;
+    Rect foot;  // the keys at the left, the sign of a sound at the right
     TextSizes sizes;
-    double sign_px = 27.0;  // cap height of a sign, unless it is long
-    std::vector<SheetPage> pages = std::vector<SheetPage>(1);
+    bool has_key_names = true;  // there is room for them beside the longest sign
 };
 
-/// `rect`: the band, as arrange() gives it for a screen of `screen_height_px`.
+/// `rect`: the band, as arrange() gives it.
 [[nodiscard]] CaptionLayout lay_out_caption(cairo_t* cr, const std::string& caption,
-                                            const Rect& rect, int screen_height_px,
-                                            const TextSizes& sizes);
+                                            const Rect& rect, const TextSizes& sizes,
+                                            const Language& language);
 
-/// The sign's words in the room beside its shape and the number of the last page. Long words become
-/// smaller, and are never broken.
+/// The sign's words at the right end of the foot. Long words become smaller, and are never broken.
 struct SignLine {
     PixelPoint at;
     LineStyle style;
@@ -37,11 +34,17 @@ struct SignLine {
     std::string text;
 };
 
-[[nodiscard]] SignLine sign_line(cairo_t* cr, const CaptionLayout& layout, const std::string& sign,
-                                 const Language& language);
+[[nodiscard]] SignLine sign_line(cairo_t* cr, const CaptionLayout& layout, const std::string& sign);
 
-/// Fills the band. An empty sign has no shape.
-void paint_captions(cairo_t* cr, const CaptionLayout& layout, std::size_t page,
-                    const std::string& sign, const Palette& palette, const Language& language);
+/// What the band shows.
+struct CaptionFace {
+    std::size_t page = 0;
+    std::string sign;  // empty: no sound
+    std::vector<LegendKey> keys;
+};
+
+/// Fills the band.
+void paint_captions(cairo_t* cr, const CaptionLayout& layout, const CaptionFace& face,
+                    const Palette& palette);
 
 }  // namespace touchline

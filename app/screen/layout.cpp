@@ -10,12 +10,11 @@ namespace touchline {
 namespace {
 
 constexpr double least_picture_px = 160.0;  // a stamp
-constexpr double least_sheet_caps = 12.0;   // width: a short word and the pointer
+constexpr double sheet_caps = 16.0;         // width: a long word and the pointer
 constexpr double least_sheet_rows = 3.2;    // height: one row of text, and an item with its frame
-constexpr double good_sheet_caps = 16.0;    // width: a long word too, if there is room
 constexpr double sheet_share_beside = 0.36;
-constexpr double most_share_beside = 0.55;
 constexpr double sheet_share_below = 0.40;
+constexpr double band_margin = 0.5;  // of header and captions, in capitals of the normal size
 
 /// Pixels per metre of the drawing area; 0 if it is too small to be of use.
 double usefulness(const Rect& picture) {
@@ -24,41 +23,34 @@ double usefulness(const Rect& picture) {
 }
 
 struct Parts {
-    Rect picture;
-    Rect sheet;
+    Rect first;
+    Rect second;
 };
 
-Parts beside(const Rect& rect, const TextSizes& sizes) {
-    const double good_px = std::min(good_sheet_caps * sizes.cap_px, most_share_beside * rect.width);
-    const double width = std::round(
-        std::max({sheet_share_beside * rect.width, least_sheet_caps * sizes.cap_px, good_px}));
-    const double split = rect.width - width;
-    return {{0.0, 0.0, split, rect.height}, {split, 0.0, width, rect.height}};
+Parts split_across(const Rect& rect, double first_px) {
+    return {{rect.x, rect.y, first_px, rect.height},
+            {rect.x + first_px, rect.y, rect.width - first_px, rect.height}};
 }
 
-Parts below(const Rect& rect, const TextSizes& sizes) {
-    const double least =
-        least_sheet_rows * line_height_px(sizes.cap_px) + 3.0 * line_height_px(sizes.mark_px);
-    const double height = std::round(std::max(sheet_share_below * rect.height, least));
-    const double split = rect.height - height;
-    return {{0.0, 0.0, rect.width, split}, {0.0, split, rect.width, height}};
+Parts split_down(const Rect& rect, double first_px) {
+    return {{rect.x, rect.y, rect.width, first_px},
+            {rect.x, rect.y + first_px, rect.width, rect.height - first_px}};
+}
+
+/// The picture beside the sheet or above it, where it is larger; an empty one if it is too small.
+Parts picture_and_sheet(const Rect& rect, const TextSizes& sizes) {
+    const double width =
+        std::round(std::max(sheet_share_beside * rect.width, sheet_caps * sizes.cap_px));
+    const double height = std::round(
+        std::max(sheet_share_below * rect.height, least_sheet_rows * line_height_px(sizes.cap_px)));
+    const Parts beside = split_across(rect, rect.width - width);
+    const Parts above = split_down(rect, rect.height - height);
+    const bool is_beside = usefulness(beside.first) >= usefulness(above.first);
+    const Parts& better = is_beside ? beside : above;
+    return usefulness(better.first) > 0.0 ? better : Parts{{}, rect};
 }
 
 }  // namespace
-
-ScreenLayout lay_out(int width_px, int height_px) {
-    constexpr double share_beside = 0.32;  // of the width; fits the words on usual screens
-    constexpr double share_below = 0.36;   // of the height
-    constexpr double wide = 1.5;           // true for 16:9 and 16:10, not for 4:3, 5:4 or upright
-    const double width = width_px;
-    const double height = height_px;
-    if (width / height >= wide) {
-        const double split = std::round(width * (1.0 - share_beside));
-        return {{0.0, 0.0, split, height}, {split, 0.0, width - split, height}};
-    }
-    const double split = std::round(height * (1.0 - share_below));
-    return {{0.0, 0.0, width, split}, {0.0, split, width, height - split}};
-}
 
 View view_of(const Area& area, const Rect& rect) {
     constexpr double margin = 0.03;  // of the shorter side
@@ -79,45 +71,47 @@ Area fitted(const Area& area, double width, double height) {
 }
 
 TextSizes text_sizes(TextSize size, double normal_cap_px, int width_px, int height_px) {
-    // The least that sheet_layout.cpp and captions.cpp need, in capitals of each size.
-    constexpr double needed_normal = 8.5;
-    constexpr double needed_chosen = 7.3;
+    // What header, a row of text, an item and the captions need, in capitals of each size.
+    constexpr double needed_normal = 3.0;
+    constexpr double needed_chosen = 9.1;
     constexpr double needed_across = 10.0;
-    constexpr double roomy = 14.0;
     const double normal = std::min(
         {normal_cap_px, height_px / (needed_normal + needed_chosen), width_px / needed_across});
     // At these angles the tangent differs from the angle by at most 0.1 %.
     const double wanted = normal * cap_angle_deg(size) / cap_angle_deg(TextSize::normal);
-    const double cap = std::min(
-        {wanted, (height_px - needed_normal * normal) / needed_chosen, width_px / needed_across});
-    const bool is_roomy = height_px >= roomy * cap;
-    return {normal, cap, is_roomy ? std::max(normal, cap / 2.0) : normal};
+    return {normal, std::min({wanted, (height_px - needed_normal * normal) / needed_chosen,
+                              width_px / needed_across})};
 }
 
-CaptionRows caption_rows(int height_px, const TextSizes& sizes) {
-    constexpr double share = 0.36;  // of the screen's height, at most
-    const double room_px = share * height_px - line_height_px(sizes.mark_px);
+int caption_rows(int height_px, const TextSizes& sizes) {
+    constexpr double share = 0.27;  // of the screen's height, at most
+    constexpr int most = 3;
+    const double room_px = share * height_px - line_height_px(sizes.normal_px);
+    return std::clamp(static_cast<int>(room_px / line_height_px(sizes.cap_px)), 1, most);
+}
+
+Arrangement arrange(int width_px, int height_px, const TextSizes& sizes, const Beside& beside) {
     const double row_px = line_height_px(sizes.cap_px);
-    const bool is_sign_large = room_px >= 2.0 * row_px;
-    const double sign_px = is_sign_large ? sizes.cap_px : sizes.mark_px;
-    const double left_px = share * height_px - line_height_px(sign_px);
-    return {std::clamp(static_cast<int>(left_px / row_px), 1, 2), sign_px};
-}
-
-Arrangement arrange(int width_px, int height_px, const TextSizes& sizes, bool has_picture) {
-    const CaptionRows captions = caption_rows(height_px, sizes);
-    const double band = std::ceil(captions.rows * line_height_px(sizes.cap_px) +
-                                  line_height_px(captions.sign_px) + 0.5 * sizes.normal_px);
-    const double width = width_px;
-    const double rest = std::max(height_px - band, 1.0);
-    Arrangement arrangement{{0.0, 0.0, width, rest}, {0.0, rest, width, height_px - rest}, {}};
-    if (!has_picture) return arrangement;
-    const Parts left = beside(arrangement.sheet, sizes);
-    const Parts above = below(arrangement.sheet, sizes);
-    const Parts& better = usefulness(left.picture) >= usefulness(above.picture) ? left : above;
-    if (usefulness(better.picture) <= 0.0) return arrangement;
-    arrangement.picture = better.picture;
-    arrangement.sheet = better.sheet;
+    const double margin_px = band_margin * sizes.normal_px;
+    const double header_px = std::ceil(row_px + margin_px);
+    const double captions_px = std::ceil(caption_rows(height_px, sizes) * row_px +
+                                         line_height_px(sizes.normal_px) + margin_px);
+    const Rect all{0.0, 0.0, static_cast<double>(width_px), static_cast<double>(height_px)};
+    const Parts upper = split_down(all, header_px);
+    const Parts lower = split_down(upper.second, upper.second.height - captions_px);
+    Arrangement arrangement{upper.first, lower.first, lower.second, {}, {}};
+    if (beside.has_picture) {
+        const Parts parts = picture_and_sheet(arrangement.sheet, sizes);
+        arrangement.picture = parts.first;
+        arrangement.sheet = parts.second;
+    }
+    if (!beside.has_panel) return arrangement;
+    Rect& halved = arrangement.picture.width > 0.0 ? arrangement.picture : arrangement.sheet;
+    const Parts halves = halved.width >= halved.height
+                             ? split_across(halved, std::round(halved.width / 2.0))
+                             : split_down(halved, std::round(halved.height / 2.0));
+    arrangement.panel = halves.first;
+    halved = halves.second;
     return arrangement;
 }
 

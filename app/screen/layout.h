@@ -20,18 +20,6 @@ struct Rect {
     friend bool operator==(const Rect&, const Rect&) = default;
 };
 
-/// The picture is at the left and the panel at the right of a wide screen; on any other the picture
-/// is above the panel.
-struct ScreenLayout {
-    Rect picture;
-    Rect panel;
-
-    friend bool operator==(const ScreenLayout&, const ScreenLayout&) = default;
-};
-
-/// Sizes in pixels, > 0; edges lie on whole pixels.
-[[nodiscard]] ScreenLayout lay_out(int width_px, int height_px);
-
 /// Maps W to pixels: one scale, with y turned over.
 struct View {
     double px_per_m = 1.0;
@@ -61,36 +49,40 @@ struct View {
 struct TextSizes {
     double normal_px = 27.0;  // the least height of any letter
     double cap_px = 27.0;     // the chosen height
-    double mark_px = 27.0;    // of page numbers: half of cap_px if there is room, else normal_px
 
     friend bool operator==(const TextSizes&, const TextSizes&) = default;
 };
 
 /// The sizes for a screen of this size; `normal_cap_px` is the cap height of TextSize::normal on
-/// it. A screen too small for a row of text, one item and one row of captions gets the largest
-/// letters for which they have room.
+/// it. A screen too small for a title, a row of text, one item and one row of captions gets the
+/// largest letters for which they have room.
 [[nodiscard]] TextSizes text_sizes(TextSize size, double normal_cap_px, int width_px,
                                    int height_px);
 
-/// The rows of the captions' band.
-struct CaptionRows {
-    int rows = 1;         // of the caption
-    double sign_px = 27;  // cap height of the sign of a sound
+/// The rows of the captions' text.
+[[nodiscard]] int caption_rows(int height_px, const TextSizes& sizes);
+
+/// What a screen shows beside its items.
+struct Beside {
+    bool has_picture = false;
+    bool has_panel = false;  // the staff's live view
 };
 
-[[nodiscard]] CaptionRows caption_rows(int height_px, const TextSizes& sizes);
-
+/// The parts of a screen.
 struct Arrangement {
-    Rect sheet;
+    Rect header;    // along the upper edge: the title, and the place in the list
+    Rect sheet;     // text and items
     Rect captions;  // along the lower edge; always there, so that a new caption moves nothing
     Rect picture;   // width 0: no picture
+    Rect panel;     // width 0: no live view
 
     friend bool operator==(const Arrangement&, const Arrangement&) = default;
 };
 
 /// Covers the screen without gap or overlap; edges lie on whole pixels. The sheet first gets what
-/// its letters need; a picture smaller than a stamp is left out.
+/// its letters need; a picture smaller than a stamp is left out. A panel takes half of what the
+/// picture has, else half of the sheet.
 [[nodiscard]] Arrangement arrange(int width_px, int height_px, const TextSizes& sizes,
-                                  bool has_picture);
+                                  const Beside& beside);
 
 }  // namespace touchline

@@ -143,13 +143,13 @@ void add_outlines(Strokes& strokes, const View& view, const CurveSet& curves, do
     }
 }
 
-void add_boxes(Strokes& strokes, const View& view, std::span<const ErrorBox> boxes,
-               double width_px) {
+void add_boxes(Strokes& strokes, const View& view, std::span<const ErrorBox> boxes, double width_px,
+               const Palette& palette) {
     for (const ErrorBox& box : boxes) {
         PixelLine edges;
         for (const Position& corner : box.corners) edges.push_back(view.to_px(corner));
         edges.push_back(edges.front());
-        add_line(strokes, edges, width_px, {white_on_black.box});
+        add_line(strokes, edges, width_px, {palette.box});
     }
 }
 

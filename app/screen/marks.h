@@ -66,8 +66,8 @@ void add_outlines(Strokes& strokes, const View& view, const CurveSet& curves, do
                   double width_px, const Palette& palette = white_on_black);
 
 /// The edges of the boxes.
-void add_boxes(Strokes& strokes, const View& view, std::span<const ErrorBox> boxes,
-               double width_px);
+void add_boxes(Strokes& strokes, const View& view, std::span<const ErrorBox> boxes, double width_px,
+               const Palette& palette = white_on_black);
 
 /// Handle (ring), proxy (a disc of its radius, or the held shape), the spring between them and the
 /// force on the hand (an arrow from the handle). The shapes differ, so nobody has to tell colours

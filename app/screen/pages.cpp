@@ -77,13 +77,7 @@ bool holds(const SheetPage& page, std::size_t item) {
 }  // namespace
 
 double mark_room_px(PhraseMark mark, double cap_px) {
-    return mark == PhraseMark::none ? 0.0 : 1.1 * cap_px;
-}
-
-std::string page_words(std::size_t page, std::size_t pages, const Language& language) {
-    if (pages < 2) return {};
-    return language.text("page", "Page {0} of {1}",
-                         {std::to_string(page + 1), std::to_string(pages)});
+    return mark == PhraseMark::none ? 0.0 : 0.6 * cap_px;
 }
 
 std::vector<SheetPage> pages_of(std::span<const RowBlock> blocks, const PageMetrics& metrics) {

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "app/screen/layout.h"
-#include "audio-cues/words/language.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -15,9 +14,9 @@
 
 namespace touchline {
 
-/// Marks of a phrase, told apart by shape: a setting's value has a triangle on either side, a
-/// switch's value has a frame.
-enum class PhraseMark : std::uint8_t { none, arrows, left_arrow, right_arrow, frame };
+/// Marks of a phrase: the value of a toggle has a frame, that of a setting triangles while Up and
+/// Down change it.
+enum class PhraseMark : std::uint8_t { none, frame, triangles };
 
 /// The room that a mark needs on either side of its text.
 [[nodiscard]] double mark_room_px(PhraseMark mark, double cap_px);
@@ -69,9 +68,6 @@ struct SheetPage {
 /// Returns at least one page. A page too low for a single row still holds one. O(phrases).
 [[nodiscard]] std::vector<SheetPage> pages_of(std::span<const RowBlock> blocks,
                                               const PageMetrics& metrics);
-
-/// "Page 2 of 3": `page` counts from 0. Empty if there are fewer than two pages.
-[[nodiscard]] std::string page_words(std::size_t page, std::size_t pages, const Language& language);
 
 /// How long a page is shown when pages turn by themselves: enough for slow readers.
 [[nodiscard]] std::int64_t reading_time_ns(const SheetPage& page);

@@ -40,6 +40,15 @@ void fill(cairo_t* cr, const Rect& rect, const Paint& paint) {
     cairo_fill(cr);
 }
 
+void stroke_rect(cairo_t* cr, const Rect& rect, double width_px, Colour colour) {
+    cairo_set_source_rgb(cr, colour.red, colour.green, colour.blue);
+    cairo_set_line_width(cr, width_px);
+    cairo_set_line_join(cr, CAIRO_LINE_JOIN_MITER);
+    cairo_rectangle(cr, rect.x + width_px / 2.0, rect.y + width_px / 2.0, rect.width - width_px,
+                    rect.height - width_px);
+    cairo_stroke(cr);
+}
+
 void paint_frame(cairo_t* cr, const Rect& rect, double width_px, Colour colour) {
     set_pen(cr, width_px, {colour});
     cairo_rectangle(cr, rect.x, rect.y, rect.width, rect.height);

@@ -16,6 +16,9 @@ namespace touchline {
 
 void fill(cairo_t* cr, const Rect& rect, const Paint& paint);
 
+/// Paints a line of this width along the inner side of the rectangle's edge.
+void stroke_rect(cairo_t* cr, const Rect& rect, double width_px, Colour colour);
+
 /// Paints the edge of the drawing area.
 void paint_frame(cairo_t* cr, const Rect& rect, double width_px,
                  Colour colour = white_on_black.frame);

@@ -31,40 +31,58 @@ double fitting_cap_px(double cap_px, double room_px, const HeightAt& height_at) 
     return cap_px;
 }
 
-std::array<TextRun, 3> runs_of(const StatusLine& line) {
-    return {TextRun{line.name, white_on_black.name}, TextRun{"  "},
-            TextRun{line.value, white_on_black.text, true}};
+std::array<TextRun, 3> runs_of(const StatusLine& line, const Palette& palette) {
+    return {TextRun{line.name, palette.name}, TextRun{"  ", palette.text},
+            TextRun{line.value, palette.text, true}};
 }
 
-/// Lines spread over columns, filled one after the other.
+/// The title, lines spread over columns that fill one after the other, and the message.
 class StatusColumns {
   public:
-    StatusColumns(cairo_t* cr, const Rect& rect, const Status& status, double cap_px)
-        : cr_(cr), rect_(inset(rect, panel_gap_caps * cap_px)), status_(status), cap_px_(cap_px) {
+    StatusColumns(cairo_t* cr, const Rect& rect, const Status& status, double cap_px,
+                  const Palette& palette)
+        : cr_(cr),
+          rect_(inset(rect, panel_gap_caps * cap_px)),
+          status_(status),
+          cap_px_(cap_px),
+          palette_(palette) {
         const double columns = std::floor(rect_.width / (least_column_caps * cap_px));
         columns_ = static_cast<std::size_t>(std::clamp(columns, 1.0, 4.0));
     }
 
     [[nodiscard]] double height_px() const {
-        double tallest = 0.0;
-        for (std::size_t column = 0; column < columns_; ++column)
-            tallest = std::max(tallest, column_height_px(column));
-        return title_height_px() + tallest + 2.0 * panel_gap_caps * cap_px_;
+        return title_height_px() + columns_height_px() +
+               text_height_px(cr_, rect_.width, cap_px_, message()) +
+               2.0 * panel_gap_caps * cap_px_;
     }
 
     void paint() const {
         paint_text(cr_, {rect_.x, rect_.y}, rect_.width, title_size * cap_px_, title());
         for (std::size_t column = 0; column < columns_; ++column) paint_column(column);
+        if (!status_.message.empty())
+            paint_text(cr_, {rect_.x, rect_.y + title_height_px() + columns_height_px()},
+                       rect_.width, cap_px_, message());
     }
 
   private:
     [[nodiscard]] std::array<TextRun, 1> title() const {
-        return {TextRun{status_.title, white_on_black.text, true}};
+        return {TextRun{status_.title, palette_.text, true}};
+    }
+
+    [[nodiscard]] std::array<TextRun, 1> message() const {
+        return {TextRun{status_.message, palette_.alert, true}};
     }
 
     [[nodiscard]] double title_height_px() const {
         return text_height_px(cr_, rect_.width, title_size * cap_px_, title()) +
                row_gap_caps * cap_px_;
+    }
+
+    [[nodiscard]] double columns_height_px() const {
+        double tallest = 0.0;
+        for (std::size_t column = 0; column < columns_; ++column)
+            tallest = std::max(tallest, column_height_px(column));
+        return tallest;
     }
 
     [[nodiscard]] double column_width_px() const {
@@ -82,7 +100,7 @@ class StatusColumns {
     [[nodiscard]] double column_height_px(std::size_t column) const {
         double height = 0.0;
         for (const StatusLine& line : lines_of(column))
-            height += text_height_px(cr_, column_width_px(), cap_px_, runs_of(line)) +
+            height += text_height_px(cr_, column_width_px(), cap_px_, runs_of(line, palette_)) +
                       row_gap_caps * cap_px_;
         return height;
     }
@@ -92,13 +110,15 @@ class StatusColumns {
         PixelPoint at{rect_.x + static_cast<double>(column) * (width + panel_gap_caps * cap_px_),
                       rect_.y + title_height_px()};
         for (const StatusLine& line : lines_of(column))
-            at.y += paint_text(cr_, at, width, cap_px_, runs_of(line)) + row_gap_caps * cap_px_;
+            at.y += paint_text(cr_, at, width, cap_px_, runs_of(line, palette_)) +
+                    row_gap_caps * cap_px_;
     }
 
     cairo_t* cr_;
     Rect rect_;
     const Status& status_;
     double cap_px_;
+    const Palette& palette_;
     std::size_t columns_ = 1;
 };
 
@@ -109,34 +129,43 @@ std::string range_of(std::size_t bar, const Language& language) {
     return language.text("timing", "later");
 }
 
-double share_of(std::uint64_t ticks, std::uint64_t most) {
+double bar_length_px(std::uint64_t ticks, std::uint64_t most, double room_px) {
+    constexpr double least_px = 2.0;
     if (ticks == 0) return 0.0;
-    return std::log1p(static_cast<double>(ticks)) / std::log1p(static_cast<double>(most));
+    return std::max(room_px * static_cast<double>(ticks) / static_cast<double>(most), least_px);
+}
+
+/// Returns the height left above it.
+double paint_timing_below(cairo_t* cr, const Rect& rect, const LatenessBars& bars, double cap_px,
+                          const Palette& palette, const Language& language) {
+    constexpr double share = 0.35;  // of the panel's height, at most
+    cap_px *= std::min(1.0, share * rect.height / timing_chart_height_px(cap_px));
+    const double height_px = timing_chart_height_px(cap_px) + cap_px;
+    paint_timing(
+        cr,
+        {rect.x + cap_px, rect.y + rect.height - height_px, rect.width - 2.0 * cap_px, height_px},
+        bars, cap_px, palette, language);
+    return rect.height - height_px;
 }
 
 }  // namespace
 
-double paint_panel(cairo_t* cr, const Rect& rect, const Status& status, double cap_px) {
-    fill(cr, rect, {white_on_black.background});
-    cap_px = fitting_cap_px(cap_px, rect.height, [&](double cap) {
-        return StatusColumns(cr, rect, status, cap).height_px();
-    });
-    StatusColumns(cr, rect, status, cap_px).paint();
-    return cap_px;
+double paint_live(cairo_t* cr, const Rect& rect, const LiveContent& live, double cap_px,
+                  const Palette& palette, const Language& language) {
+    fill(cr, rect, {palette.background});
+    Rect words = rect;
+    if (live.timing)
+        words.height = paint_timing_below(cr, rect, *live.timing, cap_px, palette, language);
+    return paint_panel(cr, words, live.status, cap_px, palette);
 }
 
-double paint_message(cairo_t* cr, const Rect& rect, const std::string& message, double cap_px) {
-    const std::array<TextRun, 1> runs{TextRun{message, white_on_black.alert, true}};
-    const auto height_at = [&](double cap) {
-        return text_height_px(cr, inset(rect, panel_gap_caps * cap).width, cap, runs) +
-               2.0 * row_gap_caps * cap;
-    };
-    cap_px = fitting_cap_px(cap_px, rect.height / 2.0, height_at);
-    const double height = height_at(cap_px);
-    const Rect band{rect.x, rect.y + rect.height - height, rect.width, height};
-    fill(cr, band, {white_on_black.background, 0.92});
-    paint_text(cr, {band.x + panel_gap_caps * cap_px, band.y + row_gap_caps * cap_px},
-               inset(rect, panel_gap_caps * cap_px).width, cap_px, runs);
+double paint_panel(cairo_t* cr, const Rect& rect, const Status& status, double cap_px,
+                   const Palette& palette) {
+    fill(cr, rect, {palette.background});
+    cap_px = fitting_cap_px(cap_px, rect.height, [&](double cap) {
+        return StatusColumns(cr, rect, status, cap, palette).height_px();
+    });
+    StatusColumns(cr, rect, status, cap_px, palette).paint();
     return cap_px;
 }
 
@@ -161,7 +190,7 @@ void paint_timing(cairo_t* cr, const Rect& rect, const LatenessBars& bars, doubl
     for (std::size_t i = 0; i < LatenessBars::count; ++i) {
         const double y_px = rect.y + static_cast<double>(i + 1) * row_px;
         const std::string ticks = std::to_string(bars.ticks.at(i));
-        const double bar_px = room_px * share_of(bars.ticks.at(i), most);
+        const double bar_px = bar_length_px(bars.ticks.at(i), most, room_px);
         paint_line(cr, {rect.x, y_px}, style, palette.text, range_of(i, language));
         fill(cr, {rect.x + names_px + cap_px, y_px + 0.4 * cap_px, bar_px, cap_px},
              {palette.outline});

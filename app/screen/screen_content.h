@@ -3,14 +3,19 @@
 #pragma once
 
 #include "app/screen/canvas.h"
+#include "app/screen/line_drawing.h"
+#include "app/screen/panel.h"
 #include "app/screen/theme.h"
 #include "app/visit/screen_model.h"
 #include "audio-cues/words/language.h"
+#include "config/types/choices.h"
 #include "config/types/hand_state.h"
 #include "haptics/collision/scene.h"
 
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace touchline {
 
@@ -29,15 +34,18 @@ struct ScreenContent {
     std::string sound_sign;
     TextSize text_size = TextSize::normal;
     PaletteName palette = PaletteName::white_on_black;
-    /// The visitor turned the screen off: it is black, whatever else is here.
+    /// The visitor turned the screen off: it is black but for one line that says how to turn it on
+    /// again, whatever else is here.
     bool is_curtain = false;
     /// With ScreenView::camera: shows `preview`. If false, the sheet fills the screen.
     bool is_preview_on = true;
     HandState hand;
     ShownScene shown;                       // with ScreenView::picture
     std::shared_ptr<const Canvas> preview;  // null: no frame yet
-    /// The screen's language, for "Page 2 of 3".
-    Language language;
+    Language language;                      // the screen's
+    SwitchUse switches = SwitchUse::none;   // instead of the keys
+    std::vector<LineDrawingPtr> pictures;   // of each item, null where it has none; may be empty
+    std::optional<LiveContent> live;        // the staff's view, beside all else
 };
 
 }  // namespace touchline

@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::int64_t least_sign_ns = 1'000'000'000;  // a shorter time would be unreadable
 constexpr std::int64_t preview_period_ns = 100'000'000;
+constexpr std::int64_t panel_period_ns = 200'000'000;  // else its numbers cannot be read
 
 /// Gives the layer a new canvas whose coordinates are the screen's.
 void renew(StillLayer& layer, const Rect& rect) {
@@ -31,8 +32,11 @@ bool is_same_style(const ScreenContent& a, const ScreenContent& b) {
            a.language.code() == b.language.code();
 }
 
-bool is_same_list(const SpokenScreen& a, const SpokenScreen& b) {
-    return a.title == b.title && a.text == b.text && a.view == b.view && a.items == b.items;
+/// Compares all that has a place of its own: not the focus, nor what follows from it.
+bool is_same_list(const ScreenContent& a, const ScreenContent& b) {
+    return a.screen.title == b.screen.title && a.screen.text == b.screen.text &&
+           a.screen.view == b.screen.view && a.screen.items == b.screen.items &&
+           a.screen.way == b.screen.way && a.pictures == b.pictures;
 }
 
 bool is_same_picture(const ScreenContent& a, const ScreenContent& b) {
@@ -42,8 +46,9 @@ bool is_same_picture(const ScreenContent& a, const ScreenContent& b) {
 }
 
 bool is_same_screen(const ScreenContent& a, const ScreenContent& b) {
-    return is_same_style(a, b) && is_same_picture(a, b) && a.screen.focus == b.screen.focus &&
-           is_same_list(a.screen, b.screen);
+    return is_same_style(a, b) && is_same_picture(a, b) && is_same_list(a, b) &&
+           a.screen == b.screen && a.live.has_value() == b.live.has_value() &&
+           a.switches == b.switches;
 }
 
 }  // namespace
@@ -62,6 +67,7 @@ void ScreenLayers::update(const ScreenContent& content, int width_px, int height
     if (shown_.is_curtain) return;
     update_captions(content, now_ns);
     update_preview(content, now_ns);
+    update_panel(content, now_ns);
 }
 
 void ScreenLayers::take_sign(const std::string& sign, std::int64_t now_ns) {
@@ -81,13 +87,12 @@ bool ScreenLayers::is_screen_due(const ScreenContent& content, std::int64_t now_
 void ScreenLayers::update_screen(const ScreenContent& content, std::int64_t now_ns) {
     const bool has_changed = !is_same_screen(content, shown_);
     const bool has_turned =
-        !has_changed && !shown_.is_curtain && pages_now(shown_.screen, now_ns) != pages_;
+        !has_changed && !shown_.is_curtain &&
+        (pages_now(shown_.screen, now_ns) != pages_ || title_page_now(now_ns) != title_page_);
     if (!(has_changed || has_turned) || !is_screen_due(content, now_ns)) return;
     if (has_turned) {
-        pages_ = pages_now(shown_.screen, now_ns);
-        paint_sheet_layer();
         screen_pace_.changed(now_ns);
-        return;
+        return turn_pages(now_ns);
     }
     const bool is_restyled = !is_same_style(content, shown_);
     show_screen(content, now_ns);
@@ -96,10 +101,11 @@ void ScreenLayers::update_screen(const ScreenContent& content, std::int64_t now_
 
 void ScreenLayers::show_screen(const ScreenContent& content, std::int64_t now_ns) {
     const TextSizes sizes = text_sizes(content.text_size, normal_cap_px_, width_px_, height_px_);
-    const Arrangement arrangement = arrange(width_px_, height_px_, sizes, wants_picture(content));
+    const Arrangement arrangement =
+        arrange(width_px_, height_px_, sizes, {wants_picture(content), content.live.has_value()});
     const bool is_laid_out = arrangement == arrangement_ && sizes == sizes_ &&
                              is_same_style(content, shown_) && screen_pace_.has_changed() &&
-                             is_same_list(content.screen, shown_.screen);
+                             is_same_list(content, shown_);
     const bool is_painted = is_laid_out && is_same_picture(content, shown_);
     if (!is_laid_out) screen_ns_ = now_ns;
     focus_ns_ = now_ns;
@@ -111,12 +117,17 @@ void ScreenLayers::show_screen(const ScreenContent& content, std::int64_t now_ns
     sizes_ = sizes;
     arrangement_ = arrangement;
     screen_pace_.changed(now_ns);
-    if (content.is_curtain) return paint_black();
-    if (!is_laid_out)
-        sheet_layout_ = lay_out_sheet(sheet_.canvas.context(), content.screen, arrangement.sheet,
-                                      sizes, content.language);
-    pages_ = pages_now(content.screen, now_ns);
-    paint_sheet_layer();
+    if (content.is_curtain) return paint_curtain();
+    if (!is_laid_out) {
+        cairo_t* const cr = sheet_.canvas.context();
+        header_layout_ =
+            lay_out_header(cr, content.screen, arrangement.header, sizes, content.language);
+        sheet_layout_ =
+            lay_out_sheet(cr, content.screen, arrangement.sheet, sizes, !content.pictures.empty());
+        paint_panel_layer();
+    }
+    turn_pages(now_ns);
+    if (captions_.rect.width > 0.0) paint_caption_layer();  // its keys may be others
     if (!is_painted) paint_picture_layer();
 }
 
@@ -124,11 +135,25 @@ SheetPages ScreenLayers::pages_now(const SpokenScreen& screen, std::int64_t now_
     return sheet_pages(sheet_layout_, screen.focus, now_ns - screen_ns_, now_ns - focus_ns_);
 }
 
-void ScreenLayers::paint_sheet_layer() {
+std::size_t ScreenLayers::title_page_now(std::int64_t now_ns) const {
+    const std::vector<SheetPage>& pages = header_layout_.title.pages;
+    return page_at(pages, {0, pages.size()}, now_ns - screen_ns_);
+}
+
+void ScreenLayers::turn_pages(std::int64_t now_ns) {
+    pages_ = pages_now(shown_.screen, now_ns);
+    title_page_ = title_page_now(now_ns);
+    paint_pages();
+}
+
+void ScreenLayers::paint_pages() {
+    const Palette& palette = palette_of(shown_.palette);
+    renew(header_, arrangement_.header);
+    paint_header(header_.canvas.context(), header_layout_, shown_.screen, title_page_, palette,
+                 shown_.language);
     renew(sheet_, arrangement_.sheet);
-    cairo_t* const cr = sheet_.canvas.context();
-    const SheetFace face = face_of(cr, sheet_layout_, shown_.screen, pages_, shown_.language);
-    paint_sheet(cr, sheet_layout_, face, palette_of(shown_.palette));
+    paint_sheet(sheet_.canvas.context(), sheet_layout_,
+                face_of(sheet_layout_, shown_.screen, pages_), shown_.pictures, palette);
 }
 
 void ScreenLayers::update_captions(const ScreenContent& content, std::int64_t now_ns) {
@@ -144,19 +169,22 @@ void ScreenLayers::show_captions(const ScreenContent& content, std::int64_t now_
     shown_.sound_sign = sign_;
     if (shown_.is_curtain) return;
     caption_layout_ = lay_out_caption(captions_.canvas.context(), shown_.caption,
-                                      arrangement_.captions, height_px_, sizes_);
+                                      arrangement_.captions, sizes_, shown_.language);
     caption_page_ = caption_page_now(now_ns);
     paint_caption_layer();
 }
 
 std::size_t ScreenLayers::caption_page_now(std::int64_t now_ns) const {
-    return page_at(caption_layout_.pages, {0, caption_layout_.pages.size()}, now_ns - caption_ns_);
+    const std::vector<SheetPage>& pages = caption_layout_.text.pages;
+    return page_at(pages, {0, pages.size()}, now_ns - caption_ns_);
 }
 
 void ScreenLayers::paint_caption_layer() {
     renew(captions_, arrangement_.captions);
-    paint_captions(captions_.canvas.context(), caption_layout_, caption_page_, shown_.sound_sign,
-                   palette_of(shown_.palette), shown_.language);
+    paint_captions(captions_.canvas.context(), caption_layout_,
+                   {caption_page_, shown_.sound_sign,
+                    legend_of(shown_.screen, shown_.switches, shown_.language)},
+                   palette_of(shown_.palette));
 }
 
 void ScreenLayers::update_preview(const ScreenContent& content, std::int64_t now_ns) {
@@ -188,12 +216,34 @@ void ScreenLayers::paint_picture_layer() {
     paint_frame(cr, area_rect(area, view_), std::max(0.07 * sizes_.normal_px, 1.0), palette.frame);
 }
 
-void ScreenLayers::paint_black() {
+void ScreenLayers::update_panel(const ScreenContent& content, std::int64_t now_ns) {
+    const bool is_shown = content.live && shown_.live && panel_.rect.width > 0.0;
+    if (!is_shown || content.live == shown_.live) return;
+    if (now_ns - panel_ns_ < panel_period_ns) return;
+    panel_ns_ = now_ns;
+    shown_.live = content.live;
+    paint_panel_layer();
+}
+
+void ScreenLayers::paint_panel_layer() {
+    renew(panel_, arrangement_.panel);
+    if (!shown_.live) return;
+    paint_live(panel_.canvas.context(), panel_.rect, *shown_.live, sizes_.cap_px,
+               palette_of(shown_.palette), shown_.language);
+}
+
+void ScreenLayers::paint_curtain() {
+    constexpr Colour black{0.0, 0.0, 0.0};
+    constexpr Colour dim{0.6, 0.6, 0.6};  // 7:1
     const Rect all{0.0, 0.0, static_cast<double>(width_px_), static_cast<double>(height_px_)};
     renew(sheet_, all);
-    fill(sheet_.canvas.context(), all, {Colour{0.0, 0.0, 0.0}});
-    renew(captions_, {});
-    renew(picture_, {});
+    for (StillLayer* layer : {&header_, &captions_, &picture_, &panel_}) renew(*layer, {});
+    cairo_t* const cr = sheet_.canvas.context();
+    fill(cr, all, {black});
+    const TurnedText line = turned_text(
+        cr, shown_.language.text("screen", "The screen is off. Settings, Screen turns it on."),
+        arrange(width_px_, height_px_, sizes_, {}).captions, {sizes_.normal_px}, 1.0);
+    paint_turned(cr, line, 0, dim);
 }
 
 bool ScreenLayers::has_marks() const {

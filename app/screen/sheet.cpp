@@ -1,6 +1,7 @@
 #include "app/screen/sheet.h"
 
 #include "app/screen/paint.h"
+#include "app/screen/turned_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,36 +10,17 @@
 namespace touchline {
 namespace {
 
-/// "7 of 40": the place among the items, as spoken_item() says it.
-std::string place_words(std::size_t item, std::size_t items, const Language& language) {
-    return language.text("screen", "{0} of {1}", {std::to_string(item + 1), std::to_string(items)});
-}
-
-/// True if both fit side by side; otherwise they go one below the other.
-bool are_beside(cairo_t* cr, double width_px, LineStyle style, const std::string& place,
-                const std::string& page) {
-    return line_width_px(cr, style, place) + style.cap_px + line_width_px(cr, style, page) <=
-           width_px;
-}
-
-/// The most rows that the marks of a list of this length need.
-int rows_of_marks(cairo_t* cr, std::size_t items, double width_px, LineStyle style,
-                  const Language& language) {
-    // Long names at the largest size need tens of pages each; a long list mostly has short ones.
-    const std::size_t pages = std::max<std::size_t>(99, 3 * items);
-    return are_beside(cr, width_px, style, place_words(items, items, language),
-                      page_words(pages, pages, language))
-               ? 1
-               : 2;
-}
-
-constexpr double widest_caps = 50.0;        // longer lines are hard to follow
-constexpr double margin_caps = 0.5;         // left and right
-constexpr double upper_margin_caps = 0.25;  // and below
-constexpr double gap_caps = 0.25;           // between title and text, text and list
+constexpr double widest_caps = 50.0;       // longer lines are hard to follow
+constexpr double beside_from_caps = 40.0;  // so wide, text and list stand side by side
+constexpr double text_share = 0.38;        // of the width, beside the list
+constexpr double margin_caps = 0.5;        // left and right
+constexpr double upper_margin_caps = 0.1;  // and below
+constexpr double gap_caps = 0.25;          // between text and list, one below the other
+constexpr double column_gap_caps = 1.5;    // between them side by side
 constexpr double item_gap_caps = 0.1;
-constexpr double item_inset_caps = 0.25;  // room for the focus frame
+constexpr double item_inset_caps = 0.18;  // room for the focus frame
 constexpr double pointer_caps = 1.2;      // room for its pointer
+constexpr double picture_gap_caps = 0.5;  // after the small picture
 
 std::vector<PhraseRow> rows_of(cairo_t* cr, double width_px, LineStyle style,
                                const std::string& text) {
@@ -50,32 +32,28 @@ std::vector<PhraseRow> rows_of(cairo_t* cr, double width_px, LineStyle style,
     return rows;
 }
 
-/// The mark of row `row` of a value with `rows` rows: the first and the last have arrows.
-PhraseMark mark_of(ItemRole role, std::size_t row, std::size_t rows) {
+PhraseMark mark_of(ItemRole role) {
     if (role == ItemRole::toggle) return PhraseMark::frame;
-    if (role != ItemRole::setting) return PhraseMark::none;
-    if (rows == 1) return PhraseMark::arrows;
-    if (row == 0) return PhraseMark::left_arrow;
-    return row + 1 == rows ? PhraseMark::right_arrow : PhraseMark::none;
+    return role == ItemRole::setting ? PhraseMark::triangles : PhraseMark::none;
 }
 
-/// Puts the value beside the name if both fit in one line, else below it.
+/// Puts the value at the right end of the name's line if both fit in it, else below the name.
 void add_value(std::vector<PhraseRow>& rows, cairo_t* cr, double width_px, double cap_px,
                const ScreenItem& item) {
     if (item.value.empty()) return;
-    const double mark_px = mark_room_px(mark_of(item.role, 0, 1), cap_px);
+    const PhraseMark mark = mark_of(item.role);
+    const double mark_px = mark_room_px(mark, cap_px);
     std::vector<PhraseRow> values =
         rows_of(cr, width_px - 2.0 * mark_px, {cap_px, true}, item.value);
-    for (std::size_t row = 0; row < values.size(); ++row) {
-        values[row].front().x_px = mark_px;
-        values[row].front().mark = mark_of(item.role, row, values.size());
+    for (PhraseRow& row : values) {
+        row.front().x_px = mark_px;
+        row.front().mark = mark;
     }
     if (rows.size() == 1 && values.size() == 1) {
         Phrase& value = values.front().front();
-        const Phrase& name = rows.front().front();
-        const double beside_px = name.width_px + cap_px + mark_px;
-        if (beside_px + value.width_px + mark_px <= width_px) {
-            value.x_px = beside_px;
+        const double right_px = width_px - mark_px - value.width_px;
+        if (rows.front().front().width_px + cap_px + mark_px <= right_px) {
+            value.x_px = right_px;
             rows.front().push_back(std::move(value));
             return;
         }
@@ -83,26 +61,32 @@ void add_value(std::vector<PhraseRow>& rows, cairo_t* cr, double width_px, doubl
     std::move(values.begin(), values.end(), std::back_inserter(rows));
 }
 
+double picture_width_px(double cap_px) {
+    constexpr Area area;
+    return line_height_px(cap_px) * area.width_m / area.height_m;
+}
+
+/// What stands before each name: the focus's pointer, and the small picture.
+double before_name_px(double cap_px, double picture_px) {
+    return pointer_caps * cap_px +
+           (picture_px > 0.0 ? picture_px + picture_gap_caps * cap_px : 0.0);
+}
+
 std::vector<RowBlock> blocks_of_list(cairo_t* cr, const SpokenScreen& screen, double width_px,
-                                     double cap_px) {
+                                     double cap_px, double picture_px) {
     std::vector<RowBlock> blocks;
-    const double room_px = width_px - (2.0 * item_inset_caps + pointer_caps) * cap_px;
+    const double before_px = before_name_px(cap_px, picture_px);
+    const double room_px = width_px - 2.0 * item_inset_caps * cap_px - before_px;
     for (std::size_t i = 0; i < screen.items.size(); ++i) {
         const ScreenItem& item = screen.items[i];
         RowBlock block{rows_of(cr, room_px, {cap_px, false}, item.name), i};
         add_value(block.rows, cr, room_px, cap_px, item);
         for (PhraseRow& row : block.rows) {
-            for (Phrase& phrase : row) phrase.x_px += pointer_caps * cap_px;
+            for (Phrase& phrase : row) phrase.x_px += before_px;
         }
         blocks.push_back(std::move(block));
     }
     return blocks;
-}
-
-std::vector<RowBlock> blocks_of_text(cairo_t* cr, const SpokenScreen& screen, double width_px,
-                                     double cap_px) {
-    return {{rows_of(cr, width_px, {cap_px, true}, screen.title), {}, true},
-            {rows_of(cr, width_px, {cap_px, false}, screen.text), {}, true}};
 }
 
 double height_of(const std::vector<RowBlock>& blocks, const PageMetrics& metrics) {
@@ -122,34 +106,29 @@ struct Draft {
     PageMetrics metrics;
     double natural_px = 0.0;  // if all of it is on one page
     double least_px = 0.0;    // with a single row
-    double marks_px = 0.0;    // for the marks below a single page
-    double paged_marks_px = 0.0;
+    double bar_px = 0.0;      // below pages
 
-    [[nodiscard]] bool is_empty() const { return natural_px <= 0.0; }
-
-    [[nodiscard]] double whole_px() const { return natural_px + (is_empty() ? 0.0 : marks_px); }
-
-    [[nodiscard]] double smallest_px() const {
-        return is_empty() ? 0.0 : std::min(whole_px(), least_px + paged_marks_px);
-    }
+    [[nodiscard]] double smallest_px() const { return std::min(natural_px, least_px + bar_px); }
 };
 
-Draft draft_of(std::vector<RowBlock> blocks, double inset_px, double gap_px, double cap_px) {
-    Draft draft{std::move(blocks), {0.0, line_height_px(cap_px), inset_px, gap_px}};
+Draft draft_of(std::vector<RowBlock> blocks, double inset_px, double gap_px,
+               const TextSizes& sizes) {
+    Draft draft{std::move(blocks), {0.0, line_height_px(sizes.cap_px), inset_px, gap_px}};
     draft.natural_px = height_of(draft.blocks, draft.metrics);
     draft.least_px = draft.metrics.row_px + 2.0 * inset_px;
+    draft.bar_px = bar_height_px(sizes);
     return draft;
 }
 
-/// `height_px`: the most that it may take.
-PagedPart placed(const Draft& draft, const Rect& column, double top_px, double height_px) {
+/// The part at the upper edge of `room`, no higher than it needs.
+PagedPart placed(const Draft& draft, const Rect& room) {
     PagedPart part;
     constexpr double rounding = 1e-6;
-    const bool is_whole = draft.whole_px() <= height_px + rounding;
-    const double marks_px = is_whole ? draft.marks_px : draft.paged_marks_px;
-    const double page_px = is_whole ? draft.natural_px : height_px - marks_px;
-    part.rect = {column.x, top_px, column.width, page_px};
-    part.marks = {column.x, top_px + page_px, column.width, draft.is_empty() ? 0.0 : marks_px};
+    const bool is_whole = draft.natural_px <= room.height + rounding;
+    const double bar_px = is_whole ? 0.0 : draft.bar_px;
+    const double page_px = is_whole ? draft.natural_px : room.height - bar_px;
+    part.rect = {room.x, room.y, room.width, page_px};
+    part.bar = {room.x, room.y + page_px, room.width, bar_px};
     part.inset_px = draft.metrics.inset_px;
     PageMetrics metrics = draft.metrics;
     metrics.height_px = page_px + rounding;
@@ -157,12 +136,12 @@ PagedPart placed(const Draft& draft, const Rect& column, double top_px, double h
     return part;
 }
 
-Rect column_of(const Rect& rect, double cap_px) {
+/// The sheet without its margins, as wide as lines may be.
+Rect column_of(const Rect& rect, double cap_px, double most_px) {
     const double margin_px = margin_caps * cap_px;
-    const double width_px =
-        std::max(std::min(rect.width - 2.0 * margin_px, widest_caps * cap_px), 1.0);
     const double upper_px = upper_margin_caps * cap_px;
-    return {std::round(rect.x + (rect.width - width_px) / 2.0), rect.y + upper_px, width_px,
+    return {rect.x + margin_px, rect.y + upper_px,
+            std::max(std::min(rect.width - 2.0 * margin_px, most_px), 1.0),
             std::max(rect.height - 2.0 * upper_px, 1.0)};
 }
 
@@ -170,17 +149,27 @@ Rect column_of(const Rect& rect, double cap_px) {
 /// fifths, but never the list's only row.
 double height_of_text(const Draft& text, const Draft& list, double room_px) {
     constexpr double share = 0.4;
-    if (text.whole_px() + list.whole_px() <= room_px) return text.whole_px();
-    const double spared_px = room_px - list.whole_px();
+    if (text.natural_px + list.natural_px <= room_px) return text.natural_px;
+    const double spared_px = room_px - list.natural_px;
     const double wanted_px = std::max({share * room_px, spared_px, text.smallest_px()});
     const double most_px = std::max(room_px - list.smallest_px(), text.smallest_px());
     const double given_px = std::min(wanted_px, most_px);
-    if (given_px >= text.whole_px()) return text.whole_px();
+    if (given_px >= text.natural_px) return text.natural_px;
     // Rounds down to whole rows, so that the items can use the rest.
-    const double rows_px = given_px - text.paged_marks_px - text.metrics.gap_px;
-    const double rows = std::floor(rows_px / text.metrics.row_px);
-    if (rows < 2.0) return text.paged_marks_px + text.metrics.row_px;
-    return text.paged_marks_px + rows * text.metrics.row_px + text.metrics.gap_px;
+    const double rows = std::floor((given_px - text.bar_px) / text.metrics.row_px);
+    return text.bar_px + std::max(rows, 1.0) * text.metrics.row_px;
+}
+
+struct SheetRooms {
+    Rect text;
+    Rect list;
+};
+
+SheetRooms side_by_side(const Rect& column, double cap_px) {
+    const double text_px = text_share * column.width;
+    const double list_x_px = column.x + text_px + column_gap_caps * cap_px;
+    return {{column.x, column.y, text_px, column.height},
+            {list_x_px, column.y, column.x + column.width - list_x_px, column.height}};
 }
 
 void add_page(SheetFace& face, const PagedPart& part, std::size_t page, double cap_px) {
@@ -195,26 +184,14 @@ void add_page(SheetFace& face, const PagedPart& part, std::size_t page, double c
     }
 }
 
-/// Puts it at the right end of its row, or at the left.
-void add_mark(SheetFace& face, cairo_t* cr, const Rect& row, LineStyle style, bool is_right,
-              std::string words) {
-    if (words.empty()) return;
-    const double width_px = line_width_px(cr, style, words);
-    const double x_px = is_right ? row.x + row.width - width_px : row.x;
-    face.lines.push_back({{x_px, row.y}, style, width_px, std::move(words), {}, row});
-}
-
-void add_list_marks(SheetFace& face, cairo_t* cr, const SheetLayout& layout,
-                    const SpokenScreen& screen, std::size_t page, const Language& language) {
-    const LineStyle style{layout.sizes.mark_px};
-    const std::string place =
-        screen.focus ? place_words(*screen.focus, screen.items.size(), language) : std::string{};
-    const std::string pages = page_words(page, layout.list.pages.size(), language);
-    Rect row = layout.list.marks;
-    row.height = line_height_px(style.cap_px);
-    add_mark(face, cr, row, style, false, place);
-    if (!are_beside(cr, row.width, style, place, pages)) row.y += row.height;
-    add_mark(face, cr, row, style, true, pages);
+void add_pictures(SheetFace& face, const SheetLayout& layout, std::size_t page) {
+    if (layout.picture_px <= 0.0) return;
+    const PagedPart& list = layout.list;
+    const double x_px = list.rect.x + list.inset_px + pointer_caps * layout.sizes.cap_px;
+    for (const PlacedItem& placed : list.pages.at(page).items)
+        face.pictures.push_back({placed.item,
+                                 {x_px, list.rect.y + placed.top_px + list.inset_px,
+                                  layout.picture_px, line_height_px(layout.sizes.cap_px)}});
 }
 
 /// The frame around the item's part on the page.
@@ -236,36 +213,40 @@ void fill_triangle(cairo_t* cr, PixelPoint tip, PixelPoint base, double half_hei
     cairo_fill(cr);
 }
 
-void stroke_rect(cairo_t* cr, const Rect& rect, double width_px, Colour colour) {
-    cairo_set_source_rgb(cr, colour.red, colour.green, colour.blue);
-    cairo_set_line_width(cr, width_px);
-    cairo_set_line_join(cr, CAIRO_LINE_JOIN_MITER);
-    cairo_rectangle(cr, rect.x + width_px / 2.0, rect.y + width_px / 2.0, rect.width - width_px,
-                    rect.height - width_px);
-    cairo_stroke(cr);
+void paint_toggle_frame(cairo_t* cr, const FaceLine& line, Colour colour) {
+    const double cap_px = line.style.cap_px;
+    const double height_px = 1.85 * cap_px;
+    const double middle_px = line.at.y + line_height_px(cap_px) / 2.0;
+    stroke_rect(
+        cr,
+        {line.at.x - 0.5 * cap_px, middle_px - height_px / 2.0, line.width_px + cap_px, height_px},
+        std::max(0.07 * cap_px, 1.0), colour);
 }
 
-/// Paints the shape that tells how a value can be changed.
-void paint_mark(cairo_t* cr, const FaceLine& line, Colour colour) {
+/// One triangle above the other, after the value that the keys Up and Down change.
+void paint_turning(cairo_t* cr, const FaceLine& line, Colour colour) {
     const double cap_px = line.style.cap_px;
+    const double x_px = line.at.x + line.width_px + 0.35 * cap_px;
     const double middle_px = line.at.y + line_height_px(cap_px) / 2.0;
-    const double right_px = line.at.x + line.width_px;
-    const double near_px = 0.35 * cap_px;
-    const double far_px = 0.85 * cap_px;
-    const bool is_setting = line.mark == PhraseMark::arrows;
-    if (is_setting || line.mark == PhraseMark::left_arrow)
-        fill_triangle(cr, {line.at.x - far_px, middle_px}, {line.at.x - near_px, middle_px},
-                      0.4 * cap_px, colour);
-    if (is_setting || line.mark == PhraseMark::right_arrow)
-        fill_triangle(cr, {right_px + far_px, middle_px}, {right_px + near_px, middle_px},
-                      0.4 * cap_px, colour);
-    if (line.mark == PhraseMark::frame) {
-        const double height_px = 1.85 * cap_px;
-        stroke_rect(cr,
-                    {line.at.x - 0.5 * cap_px, middle_px - height_px / 2.0, line.width_px + cap_px,
-                     height_px},
-                    std::max(0.07 * cap_px, 1.0), colour);
+    for (const double up : {-1.0, 1.0}) {
+        cairo_move_to(cr, x_px, middle_px + up * 0.8 * cap_px);
+        cairo_line_to(cr, x_px - 0.25 * cap_px, middle_px + up * 0.2 * cap_px);
+        cairo_line_to(cr, x_px + 0.25 * cap_px, middle_px + up * 0.2 * cap_px);
+        cairo_close_path(cr);
     }
+    cairo_set_source_rgb(cr, colour.red, colour.green, colour.blue);
+    cairo_fill(cr);
+}
+
+bool is_in_focus(const SheetFace& face, const FaceLine& line) {
+    return face.focus && line.at.y >= face.focus->y &&
+           line.at.y < face.focus->y + face.focus->height;
+}
+
+void paint_mark(cairo_t* cr, const SheetFace& face, const FaceLine& line, Colour colour) {
+    if (line.mark == PhraseMark::frame) paint_toggle_frame(cr, line, colour);
+    if (line.mark == PhraseMark::triangles && face.is_turning && is_in_focus(face, line))
+        paint_turning(cr, line, colour);
 }
 
 void paint_focus(cairo_t* cr, const SheetLayout& layout, const Rect& frame, Colour colour) {
@@ -281,25 +262,28 @@ void paint_focus(cairo_t* cr, const SheetLayout& layout, const Rect& frame, Colo
 }  // namespace
 
 SheetLayout lay_out_sheet(cairo_t* cr, const SpokenScreen& screen, const Rect& rect,
-                          const TextSizes& sizes, const Language& language) {
+                          const TextSizes& sizes, bool has_pictures) {
     const double cap_px = sizes.cap_px;
-    const Rect column = column_of(rect, cap_px);
-    Draft text =
-        draft_of(blocks_of_text(cr, screen, column.width, cap_px), 0.0, gap_caps * cap_px, cap_px);
-    Draft list = draft_of(blocks_of_list(cr, screen, column.width, cap_px),
-                          item_inset_caps * cap_px, item_gap_caps * cap_px, cap_px);
-    const double mark_row_px = line_height_px(sizes.mark_px);
-    text.paged_marks_px = mark_row_px;
-    list.marks_px = mark_row_px;
-    list.paged_marks_px = mark_row_px * rows_of_marks(cr, screen.items.size(), column.width,
-                                                      {sizes.mark_px}, language);
-    const double gap_px = list.is_empty() ? 0.0 : gap_caps * cap_px;
-    const double room_px = column.height - gap_px;
-    const double text_px = height_of_text(text, list, room_px);
-    SheetLayout layout{rect, sizes, placed(text, column, column.y, text_px), {}};
-    const double top_px = layout.text.marks.y + layout.text.marks.height + gap_px;
-    if (!list.is_empty())
-        layout.list = placed(list, column, top_px, column.y + column.height - top_px);
+    SheetLayout layout{rect, sizes, {}, {}, has_pictures ? picture_width_px(cap_px) : 0.0};
+    const bool is_beside =
+        rect.width >= beside_from_caps * cap_px && !screen.text.empty() && !screen.items.empty();
+    const double most_px = (is_beside ? 2.0 : 1.0) * widest_caps * cap_px;
+    const Rect column = column_of(rect, cap_px, most_px);
+    SheetRooms rooms = is_beside ? side_by_side(column, cap_px) : SheetRooms{column, column};
+    const Draft text = draft_of(
+        {{rows_of(cr, rooms.text.width, {cap_px, false}, screen.text), {}, true}}, 0.0, 0.0, sizes);
+    const Draft list =
+        draft_of(blocks_of_list(cr, screen, rooms.list.width, cap_px, layout.picture_px),
+                 item_inset_caps * cap_px, item_gap_caps * cap_px, sizes);
+    if (!is_beside) {
+        const bool has_both = text.natural_px > 0.0 && list.natural_px > 0.0;
+        const double gap_px = has_both ? gap_caps * cap_px : 0.0;
+        rooms.text.height = height_of_text(text, list, column.height - gap_px);
+        rooms.list.y += rooms.text.height + gap_px;
+        rooms.list.height -= rooms.text.height + gap_px;
+    }
+    layout.text = placed(text, rooms.text);
+    layout.list = placed(list, rooms.list);
     return layout;
 }
 
@@ -314,29 +298,36 @@ SheetPages sheet_pages(const SheetLayout& layout, std::optional<std::size_t> foc
 }
 
 double focus_width_px(const TextSizes& sizes) {
-    return std::max(0.2 * sizes.cap_px, 4.0);
+    return std::max(item_inset_caps * sizes.cap_px, 4.0);
 }
 
-SheetFace face_of(cairo_t* cr, const SheetLayout& layout, const SpokenScreen& screen,
-                  const SheetPages& pages, const Language& language) {
+SheetFace face_of(const SheetLayout& layout, const SpokenScreen& screen, const SheetPages& pages) {
     SheetFace face;
+    face.pages = pages;
     add_page(face, layout.text, pages.text, layout.sizes.cap_px);
-    add_mark(face, cr, layout.text.marks, {layout.sizes.mark_px}, true,
-             page_words(pages.text, layout.text.pages.size(), language));
     if (screen.items.empty()) return face;
     add_page(face, layout.list, pages.list, layout.sizes.cap_px);
-    add_list_marks(face, cr, layout, screen, pages.list, language);
+    add_pictures(face, layout, pages.list);
     if (screen.focus) face.focus = frame_of(layout.list, pages.list, *screen.focus);
+    face.is_turning = screen.is_turning;
     return face;
 }
 
 void paint_sheet(cairo_t* cr, const SheetLayout& layout, const SheetFace& face,
-                 const Palette& palette) {
+                 const std::vector<LineDrawingPtr>& pictures, const Palette& palette) {
     fill(cr, layout.rect, {palette.background});
     for (const FaceLine& line : face.lines) {
         paint_line(cr, line.at, line.style, palette.text, line.text);
-        paint_mark(cr, line, palette.text);
+        paint_mark(cr, face, line, palette.text);
     }
+    const double line_px = std::max(0.07 * layout.sizes.cap_px, 1.5);
+    for (const FacePicture& small : face.pictures)
+        if (small.item < pictures.size() && pictures[small.item])
+            paint_line_drawing(cr, small.rect, *pictures[small.item], line_px, palette.outline);
+    paint_page_bar(cr, layout.text.bar, face.pages.text, layout.text.pages.size(), layout.sizes,
+                   palette);
+    paint_page_bar(cr, layout.list.bar, face.pages.list, layout.list.pages.size(), layout.sizes,
+                   palette);
     if (face.focus) paint_focus(cr, layout, *face.focus, palette.focus);
 }
 

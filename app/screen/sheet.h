@@ -1,9 +1,10 @@
-// Draws a screen of the model: text above, items below, each in its own pages, so that the item
-// with the focus is always visible and every word can be read.
+// Draws text and items of a screen of the model, side by side or one below the other, each in its
+// own pages, so that the item with the focus is always visible and every word can be read.
 // Threads: one at a time per Canvas.
 #pragma once
 
 #include "app/screen/layout.h"
+#include "app/screen/line_drawing.h"
 #include "app/screen/pages.h"
 #include "app/screen/text.h"
 #include "app/visit/screen_model.h"
@@ -17,10 +18,10 @@
 
 namespace touchline {
 
-/// A part in pages: the place of the pages, and the place of their marks.
+/// A part in pages.
 struct PagedPart {
-    Rect rect;
-    Rect marks;  // below the pages; height 0: one page, and no marks
+    Rect rect;  // of each page
+    Rect bar;   // below the pages; height 0: there is one page
     double inset_px = 0.0;
     std::vector<SheetPage> pages = std::vector<SheetPage>(1);
 };
@@ -30,11 +31,12 @@ struct SheetLayout {
     TextSizes sizes;
     PagedPart text;
     PagedPart list;
+    double picture_px = 0.0;  // width of the small picture before each name; 0: there are none
 };
 
 /// Lays out everything except the focus, which changes no place. O(items); some 50 us per item.
 [[nodiscard]] SheetLayout lay_out_sheet(cairo_t* cr, const SpokenScreen& screen, const Rect& rect,
-                                        const TextSizes& sizes, const Language& language);
+                                        const TextSizes& sizes, bool has_pictures);
 
 /// The pages shown.
 struct SheetPages {
@@ -59,20 +61,29 @@ struct FaceLine {
     Rect part;  // the rectangle that contains it
 };
 
-/// Everything that a sheet shows.
-struct SheetFace {
-    std::vector<FaceLine> lines;
-    std::optional<Rect> focus;  // its frame
+/// The place of an item's small picture.
+struct FacePicture {
+    std::size_t item = 0;
+    Rect rect;
 };
 
-[[nodiscard]] SheetFace face_of(cairo_t* cr, const SheetLayout& layout, const SpokenScreen& screen,
-                                const SheetPages& pages, const Language& language);
+/// Everything that a sheet shows.
+struct SheetFace {
+    SheetPages pages;
+    std::vector<FaceLine> lines;
+    std::vector<FacePicture> pictures;
+    std::optional<Rect> focus;  // its frame
+    bool is_turning = false;    // Up and Down change the value in the frame
+};
+
+[[nodiscard]] SheetFace face_of(const SheetLayout& layout, const SpokenScreen& screen,
+                                const SheetPages& pages);
 
 /// The thickness of the focus frame.
 [[nodiscard]] double focus_width_px(const TextSizes& sizes);
 
-/// Fills the layout's rectangle.
+/// Fills the layout's rectangle. `pictures`: of each item, null where it has none; may be empty.
 void paint_sheet(cairo_t* cr, const SheetLayout& layout, const SheetFace& face,
-                 const Palette& palette);
+                 const std::vector<LineDrawingPtr>& pictures, const Palette& palette);
 
 }  // namespace touchline

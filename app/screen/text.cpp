@@ -96,8 +96,6 @@ double height_of(PangoLayout* layout) {
     return logical.height;
 }
 
-constexpr double base_line_caps = 1.42;  // below the upper edge of the box
-
 /// Valid UTF-8 that breaks only where a line is full.
 std::string clean(std::string_view text) {
     std::string cleaned = valid_utf8(text);
@@ -158,10 +156,10 @@ double line_width_px(cairo_t* cr, LineStyle style, std::string_view line) {
 
 void paint_line(cairo_t* cr, PixelPoint at, LineStyle style, Colour colour, std::string_view line) {
     const PangoLayoutPtr layout = layout_of(cr, style, clean(line));
-    const double base_line_px =
+    const double ascent_px =
         static_cast<double>(pango_layout_get_baseline(layout.get())) / PANGO_SCALE;
     cairo_set_source_rgb(cr, colour.red, colour.green, colour.blue);
-    cairo_move_to(cr, at.x, at.y + base_line_caps * style.cap_px - base_line_px);
+    cairo_move_to(cr, at.x, at.y + base_line_px(style.cap_px) - ascent_px);
     pango_cairo_show_layout(cr, layout.get());
 }
 

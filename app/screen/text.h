@@ -43,6 +43,11 @@ struct LineStyle {
     return 1.95 * cap_px;
 }
 
+/// The distance of the base line from the upper edge of a line's box.
+[[nodiscard]] constexpr double base_line_px(double cap_px) {
+    return 1.42 * cap_px;
+}
+
 /// Breaks the text into lines of at most `width_px`, between words, and inside a word only if it is
 /// wider than a whole line. Invalid UTF-8 becomes replacement characters; control characters become
 /// spaces. Empty if the text is.

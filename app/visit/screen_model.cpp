@@ -71,6 +71,16 @@ std::string spoken_screen(const SpokenScreen& screen, const Language& language) 
     return text;
 }
 
+std::vector<KeyRole> acting_keys(const SpokenScreen& screen) {
+    std::vector<KeyRole> keys;
+    if (screen.takes_any_key) return keys;
+    if (screen.items.size() > 1 || screen.is_turning) keys = {KeyRole::up, KeyRole::down};
+    keys.insert(keys.end(), {KeyRole::back, KeyRole::repeat});
+    if (screen.focus) keys.push_back(KeyRole::select);
+    keys.push_back(KeyRole::help);
+    return keys;
+}
+
 std::optional<FocusMove> move_focus(const SpokenScreen& screen, bool is_down) {
     const std::size_t count = screen.items.size();
     if (count == 0) return std::nullopt;

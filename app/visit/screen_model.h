@@ -38,7 +38,9 @@ struct SpokenScreen {
     std::vector<ScreenItem> items;
     std::optional<std::size_t> focus;  // an index of items; nothing: no item has it
     ScreenView view = ScreenView::none;
-    bool takes_any_key = false;  // every key does the same
+    std::vector<std::string> way = {};  // titles of the screens below this one, from the first
+    bool takes_any_key = false;         // every key does the same
+    bool is_turning = false;            // Up and Down change the value of the item with the focus
 
     friend bool operator==(const SpokenScreen&, const SpokenScreen&) = default;
 };
@@ -68,6 +70,9 @@ inline constexpr std::size_t items_on_screen = 7;
 /// Appends the sentence, with a full stop before it if there was none. Does nothing for an empty
 /// sentence.
 void add_sentence(std::string& text, const std::string& sentence);
+
+/// The keys that do something now, in the order of KeyRole. None where any key does the same.
+[[nodiscard]] std::vector<KeyRole> acting_keys(const SpokenScreen& screen);
 
 struct FocusMove {
     std::size_t focus = 0;

@@ -77,6 +77,17 @@ void mind_the_only_item(VisitSheet& sheet) {
     hint = sheet.words(is_back ? "Press Select to go back." : only_hint);
 }
 
+/// The titles of the screens that Back leads to, the first one first.
+std::vector<std::string> way_to(const VisitSheet& sheet) {
+    const Visitor& visitor = sheet.visitor();
+    std::vector<std::string> way;
+    for (const Standing& below : visitor.path) {
+        if (&below == &open_standing(visitor)) break;
+        if (const char* const title = row_of(below.screen).title) way.push_back(sheet.words(title));
+    }
+    return way;
+}
+
 /// The row of an item that is shown now. Two rows of one item do the same.
 const VisitItemRow* shown_row(VisitScreen screen, VisitItem item) {
     for (const VisitMenu& menu : menus())
@@ -170,6 +181,7 @@ SpokenScreen screen_of(const Visit& visit, const VisitWorld& world) {
     // A picture stays in view beneath what lies over it.
     const ScreenView beneath = row_of(visitor.path.back().screen).view;
     sheet.screen.view = beneath == ScreenView::picture ? beneath : row.view;
+    sheet.screen.way = way_to(sheet);
     sheet.screen.takes_any_key = row.any_key != nullptr || visitor.leading.has_value();
     return sheet.screen;
 }

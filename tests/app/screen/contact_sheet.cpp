@@ -10,6 +10,7 @@ namespace touchline {
 namespace {
 
 constexpr double name_cap_px = 10.0;
+constexpr double line_px = 4.0;
 
 void paint_at(const Canvas& onto, const Canvas& canvas, PixelPoint at, double scale) {
     cairo_t* const cr = onto.context();
@@ -26,10 +27,16 @@ void paint_at(const Canvas& onto, const Canvas& canvas, PixelPoint at, double sc
 
 Canvas composed(const ScreenLayers& layers, int width_px, int height_px) {
     Canvas screen(width_px, height_px);
-    for (const StillLayer* layer : {&layers.picture(), &layers.sheet(), &layers.captions()}) {
-        if (layer->rect.width > 0.0)
-            paint_at(screen, layer->canvas, {layer->rect.x, layer->rect.y}, 1.0);
-    }
+    const auto paint_layer = [&screen](const StillLayer& layer) {
+        if (layer.rect.width > 0.0)
+            paint_at(screen, layer.canvas, {layer.rect.x, layer.rect.y}, 1.0);
+    };
+    paint_layer(layers.picture());
+    const ScreenContent& shown = layers.shown();
+    if (layers.has_marks() && shown.shown.scene)
+        paint_outlines(screen.context(), layers.view(), shown.shown.scene->curves, 0.0, line_px,
+                       {palette_of(shown.palette).outline});
+    for (const StillLayer* layer : layers.words()) paint_layer(*layer);
     return screen;
 }
 

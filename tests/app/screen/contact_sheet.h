@@ -9,7 +9,8 @@
 
 namespace touchline {
 
-/// Composes the layers as they lie on a screen of this size. Marks are not layers and are left out.
+/// Composes the layers as they lie on a screen of this size, with the picture's lines and without
+/// the hand.
 [[nodiscard]] Canvas composed(const ScreenLayers& layers, int width_px, int height_px);
 
 struct Thumbnail {

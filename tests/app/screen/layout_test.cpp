@@ -1,7 +1,5 @@
 #include "app/screen/layout.h"
 
-#include <array>
-
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
@@ -9,29 +7,15 @@
 namespace touchline {
 namespace {
 
-TEST(Layout, AWideScreenHasThePanelOnTheRight) {
-    const ScreenLayout layout = lay_out(1920, 1080);
-    EXPECT_EQ(layout.picture, (Rect{0.0, 0.0, 1306.0, 1080.0}));
-    EXPECT_EQ(layout.panel, (Rect{1306.0, 0.0, 614.0, 1080.0}));
-}
-
-TEST(Layout, AnyOtherScreenHasThePanelBelow) {
-    for (const auto [width, height] : {std::array{1280, 1024}, {1024, 768}, {1080, 1920}}) {
-        const ScreenLayout layout = lay_out(width, height);
-        EXPECT_EQ(layout.panel.x, 0.0);
-        EXPECT_EQ(layout.panel.y, layout.picture.height);
-        EXPECT_EQ(layout.panel.y + layout.panel.height, height);
-    }
-}
-
-RC_GTEST_PROP(Layout, TheWholeDrawingAreaLiesInThePicturePart, ()) {
-    const ScreenLayout layout = lay_out(*rc::gen::inRange(64, 4000), *rc::gen::inRange(64, 4000));
+RC_GTEST_PROP(View, TheWholeDrawingAreaLiesInItsPart, ()) {
+    const Rect part{10.0, 20.0, 1.0 * *rc::gen::inRange(64, 4000),
+                    1.0 * *rc::gen::inRange(64, 4000)};
     const Area area{*rc::gen::inRange(20, 400) * 1e-3, *rc::gen::inRange(20, 400) * 1e-3};
-    const Rect rect = area_rect(area, view_of(area, layout.picture));
-    RC_ASSERT(rect.x >= layout.picture.x);
-    RC_ASSERT(rect.y >= layout.picture.y);
-    RC_ASSERT(rect.x + rect.width <= layout.picture.x + layout.picture.width);
-    RC_ASSERT(rect.y + rect.height <= layout.picture.y + layout.picture.height);
+    const Rect rect = area_rect(area, view_of(area, part));
+    RC_ASSERT(rect.x >= part.x);
+    RC_ASSERT(rect.y >= part.y);
+    RC_ASSERT(rect.x + rect.width <= part.x + part.width);
+    RC_ASSERT(rect.y + rect.height <= part.y + part.height);
 }
 
 TEST(View, UpInThePictureFrameIsUpOnTheScreen) {

@@ -54,31 +54,25 @@ void expect_inside(const Canvas& canvas) {
 
 TEST(Panel, NothingIsCutOffOnAnyScreen) {
     constexpr std::array<std::array<int, 2>, 6> screens{
-        {{1920, 1080}, {1280, 1024}, {1280, 800}, {1024, 768}, {800, 480}, {1080, 1920}}};
+        {{1920, 1080}, {1280, 1024}, {1280, 720}, {1024, 768}, {800, 480}, {1080, 1920}}};
     for (const auto& [width, height] : screens) {
-        const Rect panel = lay_out(width, height).panel;
+        const TextSizes sizes = text_sizes(TextSize::large, 27.0, width, height);
+        const Rect panel = arrange(width, height, sizes, {true, true}).panel;
         const Canvas canvas(static_cast<int>(panel.width), static_cast<int>(panel.height));
-        const Rect rect{0.0, 0.0, panel.width, panel.height};
-        paint_panel(canvas.context(), rect, full_status(), 38.0);
+        LiveContent live{full_status(), false, LatenessBars{}};
+        live.status.message =
+            "a-very-long-name-of-a-picture-on-a-stick.png: the file is cut short; copy it again";
+        paint_live(canvas.context(), {0.0, 0.0, panel.width, panel.height}, live, sizes.cap_px,
+                   white_on_black, {});
         expect_inside(canvas);
     }
 }
 
-TEST(Panel, HasTheSizeAskedForOnAFullSizeScreen) {
-    const Rect panel = lay_out(1920, 1080).panel;
-    const Canvas canvas(static_cast<int>(panel.width), static_cast<int>(panel.height));
-    const double used =
-        paint_panel(canvas.context(), {0.0, 0.0, panel.width, panel.height}, full_status(), 26.5);
+TEST(Panel, HasTheSizeAskedForWhereThereIsRoom) {
+    const Canvas canvas(614, 1080);
+    const double used = paint_panel(canvas.context(), {0.0, 0.0, 614.0, 1080.0}, full_status(),
+                                    26.5, black_on_white);
     EXPECT_EQ(used, 26.5);
-}
-
-TEST(Panel, AMessageLiesAlongTheLowerEdge) {
-    const Canvas canvas(900, 700);
-    paint_message(
-        canvas.context(), {0.0, 0.0, 900.0, 700.0},
-        "a-very-long-name-of-a-picture-on-a-stick.png: the file is cut short; copy it again", 27.0);
-    expect_inside(canvas);
-    EXPECT_GT(ink_of(canvas).y, 350.0);
 }
 
 }  // namespace

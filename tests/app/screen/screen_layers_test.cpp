@@ -56,7 +56,7 @@ TEST(ScreenPixels, VI1_ACapitalIsAsHighAsTheAngleAsks) {
         content.screen = {"H", "", {}, {}, ScreenView::none};
         const Canvas canvas = drawn(content);
         const auto [top, bottom] =
-            rows_with(canvas, {0.0, 0.0, screen_width, 300.0}, white_on_black.text);
+            rows_with(canvas, {0.0, 0.0, screen_width, 250.0}, white_on_black.text);
         const double wanted_px = usual_cap_px * cap_angle_deg(size) / cap_angle_deg({});
         EXPECT_NEAR(bottom - top, wanted_px, 1.5) << static_cast<int>(size);
     }
@@ -117,8 +117,8 @@ TEST(ScreenPixels, VI3_TheFocusIsAThickFrameAndAPointerThatStandOut) {
         const TextSizes sizes = text_sizes({}, usual_cap_px, screen_width, screen_height);
         const SheetLayout layout =
             lay_out_sheet(probe.context(), content.screen,
-                          arrange(screen_width, screen_height, sizes, false).sheet, sizes, {});
-        const SheetFace face = face_of(probe.context(), layout, content.screen, {}, {});
+                          arrange(screen_width, screen_height, sizes, {}).sheet, sizes, false);
+        const SheetFace face = face_of(layout, content.screen, {});
         ASSERT_TRUE(face.focus);
         const Canvas canvas = drawn(content);
         const Colour ground = palette_of(name).background;
@@ -156,41 +156,65 @@ TEST(ScreenPixels, ASoundHasAShapeAndWords) {
     content.sound_sign = "i";
     const Canvas sounding = drawn(content);
     const TextSizes sizes = text_sizes({}, usual_cap_px, screen_width, screen_height);
-    const Rect band = arrange(screen_width, screen_height, sizes, false).captions;
+    const Rect band = arrange(screen_width, screen_height, sizes, {}).captions;
     const auto first = [&](const Canvas& canvas) {
-        return rows_with(canvas, {0.0, band.y + 4.0, 60.0, band.height - 4.0}, white_on_black.text)
-            .first;
+        const Rect corner{screen_width - 100.0, band.y + 4.0, 100.0, band.height - 4.0};
+        return rows_with(canvas, corner, white_on_black.text).first;
     };
     EXPECT_LT(first(silent), 0);
     EXPECT_GT(first(sounding), band.y);
 }
 
-bool is_all_black(const Canvas& canvas) {
-    return ink_of(canvas) == Rect{};
+bool is_same_everywhere(const Canvas& a, const Canvas& b) {
+    for (int y = 0; y < screen_height; ++y)
+        for (int x = 0; x < screen_width; ++x)
+            if (!is_near(colour_at(a, {x + 0.5, y + 0.5}), colour_at(b, {x + 0.5, y + 0.5})))
+                return false;
+    return true;
 }
 
-TEST(Curtain, IsBlackWhateverThereIsAndFallsAtOnce) {
+TEST(Curtain, ShowsHowToComeBackAndNothingElseWhateverThereIsAndFallsAtOnce) {
     ScreenLayers layers(usual_cap_px);
     ScreenContent content = list_content(PaletteName::black_on_white);
     content.caption = "Something private";
     content.sound_sign = "corner";
     layers.update(content, screen_width, screen_height, 0);
-    EXPECT_FALSE(is_all_black(composed(layers, screen_width, screen_height)));
     content.screen.focus = 0;
     layers.update(content, screen_width, screen_height, 1);
     content.is_curtain = true;
     layers.update(content, screen_width, screen_height, 2);  // a third change within one second
-    EXPECT_TRUE(is_all_black(composed(layers, screen_width, screen_height)));
+    const Canvas fallen = composed(layers, screen_width, screen_height);
+    const Rect ink = ink_of(fallen);
+    EXPECT_GT(ink.width, 200.0);
+    EXPECT_LT(ink.height, 2.0 * usual_cap_px);  // one line
     content.caption = "More of it";
     content.screen.title = "Another screen";
-    content.text_size = TextSize::largest;
     for (int i = 0; i < 100; ++i)
         layers.update(content, screen_width, screen_height, i * one_second_ns / 10 + 3);
-    EXPECT_TRUE(is_all_black(composed(layers, screen_width, screen_height)));
+    EXPECT_TRUE(is_same_everywhere(fallen, composed(layers, screen_width, screen_height)));
     EXPECT_FALSE(layers.has_marks());
     content.is_curtain = false;
     layers.update(content, screen_width, screen_height, 20 * one_second_ns);
-    EXPECT_FALSE(is_all_black(composed(layers, screen_width, screen_height)));
+    EXPECT_GT(ink_of(composed(layers, screen_width, screen_height)).height, 300.0);
+}
+
+TEST(LiveView, LeavesMenuAndCaptionVisibleAndFollowsItsNumbers) {
+    ScreenLayers layers(usual_cap_px);
+    ScreenContent content = list_content();
+    content.screen.view = ScreenView::picture;
+    content.live = LiveContent{{"A fish", {{"Force", "0.6 N"}}, ""}, false, LatenessBars{}};
+    layers.update(content, screen_width, screen_height, 0);
+    EXPECT_GT(layers.panel().rect.width, 0.0);
+    EXPECT_GT(layers.sheet().rect.width, 0.0);
+    EXPECT_GT(layers.captions().rect.width, 0.0);
+    EXPECT_TRUE(layers.has_marks());
+    const std::uint64_t version = layers.panel().version;
+    content.live->status.lines.front().value = "0.7 N";
+    layers.update(content, screen_width, screen_height, one_second_ns);
+    EXPECT_GT(layers.panel().version, version);
+    content.live.reset();
+    layers.update(content, screen_width, screen_height, 3 * one_second_ns);
+    EXPECT_EQ(layers.panel().rect.width, 0.0);
 }
 
 }  // namespace

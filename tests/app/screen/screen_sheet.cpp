@@ -1,8 +1,9 @@
-// Writes every screen in every language as one picture, for viewing.
+// Writes every screen in every language as one picture, for viewing, or all golden sheets.
 #include "app/documents/decode/picture.h"
 #include "audio-cues/words/language.h"
 #include "tests/app/screen/contact_sheet.h"
 #include "tests/app/screen/every_screen.h"
+#include "tests/app/screen/golden_sheet.h"
 #include "tests/app/screen/probes.h"
 
 #include <cstdlib>
@@ -16,43 +17,18 @@ namespace {
 
 struct SheetOrder {
     std::string file;
-    int width_px = 1920;
-    int height_px = 1080;
-    TextSize size = TextSize::largest;
-    PaletteName palette = PaletteName::white_on_black;
+    GoldenLook look{TextSize::largest, PaletteName::white_on_black, 1920, 1080};
 };
-
-/// Grey steps, which show where a picture lies.
-std::shared_ptr<const Canvas> grey_steps() {
-    constexpr int width = 320;
-    constexpr int height = 240;
-    std::vector<std::uint8_t> bgr(3 * width * height);
-    for (std::size_t i = 0; i < bgr.size(); ++i)
-        bgr[i] = static_cast<std::uint8_t>(i / 3 % width / 40 * 36);
-    return std::make_shared<const Canvas>(canvas_of_frame(bgr, width, height, 3 * width));
-}
-
-ScreenContent content_of(const SpokenScreen& screen, const Language& language,
-                         const SheetOrder& order) {
-    ScreenContent content;
-    content.screen = screen;
-    content.caption = spoken_screen(screen, language);
-    content.sound_sign = words_of(Cue::area_entered, language);
-    content.text_size = order.size;
-    content.palette = order.palette;
-    content.language = language;
-    content.shown.picture = content.preview = grey_steps();
-    return content;
-}
 
 /// Adds `screens` in one language.
 void add_screens(std::vector<Thumbnail>& thumbnails, const std::vector<NamedScreen>& screens,
                  const Language& language, const SheetOrder& order) {
     for (const NamedScreen& each : screens) {
         ScreenLayers layers(usual_cap_px);
-        layers.update(content_of(each.screen, language, order), order.width_px, order.height_px, 0);
+        const GoldenLook& look = order.look;
+        layers.update(drawn_content(each.screen, language, look), look.width_px, look.height_px, 0);
         thumbnails.push_back({fmt::format("{}, {}", each.name, language.code()),
-                              composed(layers, order.width_px, order.height_px)});
+                              composed(layers, look.width_px, look.height_px)});
     }
 }
 
@@ -70,23 +46,40 @@ int write_sheet(const SheetOrder& order) {
     return 1;
 }
 
+int write_golden_sheets(const std::string& folder) {
+    for (std::size_t i = 0; i < palette_count * text_size_count; ++i) {
+        const GoldenLook look{static_cast<TextSize>(i % text_size_count),
+                              static_cast<PaletteName>(i / text_size_count)};
+        const auto done =
+            write_png(folder + '/' + golden_file(look), picture_of(golden_sheet(look)));
+        if (done) continue;
+        fmt::print(stderr, "{}\n", done.error().line);
+        return 1;
+    }
+    return 0;
+}
+
 }  // namespace
 }  // namespace touchline
 
 /// Usage: screen_sheet OUT.png [WIDTH HEIGHT [SIZE 0 ... 3 [PALETTE 0 ... 3]]]
+///        screen_sheet --golden FOLDER
 int main(int count, char** words) {
     using namespace touchline;
     if (count < 2) {
-        fmt::print(stderr, "usage: screen_sheet OUT.png [WIDTH HEIGHT [SIZE [PALETTE]]]\n");
+        fmt::print(stderr,
+                   "usage: screen_sheet OUT.png [WIDTH HEIGHT [SIZE [PALETTE]]]\n"
+                   "       screen_sheet --golden FOLDER\n");
         return 2;
     }
+    if (count == 3 && words[1] == std::string("--golden")) return write_golden_sheets(words[2]);
     SheetOrder order;
     order.file = words[1];
     if (count > 3) {
-        order.width_px = std::atoi(words[2]);
-        order.height_px = std::atoi(words[3]);
+        order.look.width_px = std::atoi(words[2]);
+        order.look.height_px = std::atoi(words[3]);
     }
-    if (count > 4) order.size = static_cast<TextSize>(std::atoi(words[4]) % 4);
-    if (count > 5) order.palette = static_cast<PaletteName>(std::atoi(words[5]) % 4);
+    if (count > 4) order.look.size = static_cast<TextSize>(std::atoi(words[4]) % 4);
+    if (count > 5) order.look.palette = static_cast<PaletteName>(std::atoi(words[5]) % 4);
     return write_sheet(order);
 }

@@ -7,6 +7,9 @@
 #include "tests/app/screen/probes.h"
 
 #include <array>
+#include <cmath>
+#include <memory>
+#include <numbers>
 #include <set>
 #include <span>
 #include <string>
@@ -18,7 +21,7 @@ namespace touchline {
 namespace {
 
 constexpr std::array<std::array<int, 2>, 4> screen_sizes{
-    {{1280, 800}, {1920, 1080}, {1080, 1920}, {800, 600}}};
+    {{1280, 720}, {1920, 1080}, {1080, 1920}, {800, 600}}};
 constexpr std::array text_size_list{TextSize::normal, TextSize::large, TextSize::larger,
                                     TextSize::largest};
 
@@ -71,34 +74,40 @@ std::vector<Case> all_cases() {
     return cases;
 }
 
-/// Expects every line, mark and frame of a pair of pages to lie where it belongs.
+/// Expects every line, picture and frame of a pair of pages to lie where it belongs.
 void expect_face_inside(const SheetFace& face, const SheetLayout& layout, const std::string& name) {
     for (const FaceLine& line : face.lines) {
         ASSERT_TRUE(is_inside(box_of(line), line.part)) << name << ": " << line.text;
         ASSERT_TRUE(is_inside(line.part, layout.rect)) << name << ": " << line.text;
     }
+    for (const FacePicture& picture : face.pictures)
+        ASSERT_TRUE(is_inside(picture.rect, layout.list.rect)) << name;
     if (!face.focus) return;
     ASSERT_TRUE(is_inside(*face.focus, layout.list.rect)) << name;
 }
 
-void expect_all_pages_inside(cairo_t* cr, const SheetLayout& layout, const Case& each) {
+void expect_all_pages_inside(const SheetLayout& layout, const Case& each) {
     const std::size_t pages = std::max(layout.text.pages.size(), layout.list.pages.size());
     for (std::size_t i = 0; i < pages; ++i) {
         const SheetPages shown{std::min(i, layout.text.pages.size() - 1),
                                std::min(i, layout.list.pages.size() - 1)};
-        const SheetFace face = face_of(cr, layout, each.screen, shown, each.language);
+        const SheetFace face = face_of(layout, each.screen, shown);
         expect_face_inside(face, layout, each.name);
         if (testing::Test::HasFatalFailure()) return;
     }
 }
 
+bool do_overlap(const Rect& a, const Rect& b) {
+    constexpr double tolerance_px = 0.5;
+    return a.x + tolerance_px < b.x + b.width && b.x + tolerance_px < a.x + a.width &&
+           a.y + tolerance_px < b.y + b.height && b.y + tolerance_px < a.y + a.height;
+}
+
 void expect_parts_apart(const SheetLayout& layout, const std::string& name) {
-    const PagedPart& text = layout.text;
-    const PagedPart& list = layout.list;
-    EXPECT_GE(text.marks.y + 0.5, text.rect.y + text.rect.height) << name;
-    if (list.rect.height <= 0.0) return;
-    EXPECT_GE(list.rect.y + 0.5, text.marks.y + text.marks.height) << name;
-    EXPECT_GE(list.marks.y + 0.5, list.rect.y + list.rect.height) << name;
+    const std::array parts{layout.text.rect, layout.text.bar, layout.list.rect, layout.list.bar};
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        for (std::size_t j = i + 1; j < parts.size(); ++j)
+            EXPECT_FALSE(do_overlap(parts[i], parts[j])) << name << ' ' << i << ' ' << j;
 }
 
 template <class Check>
@@ -109,11 +118,12 @@ void for_each_layout(const Check& check, const std::vector<Case>& cases = all_ca
         for (const TextSize size : sizes_tried) {
             const TextSizes sizes = text_sizes(size, usual_cap_px, width, height);
             for (const Case& each : cases) {
-                const bool has_picture = each.screen.view != ScreenView::none;
-                const Arrangement arrangement = arrange(width, height, sizes, has_picture);
-                const SheetLayout layout = lay_out_sheet(canvas.context(), each.screen,
-                                                         arrangement.sheet, sizes, each.language);
-                check(canvas.context(), layout, each);
+                const Beside beside{each.screen.view != ScreenView::none, false};
+                const bool has_pictures = each.screen.items.size() % 2 == 0;
+                check(
+                    lay_out_sheet(canvas.context(), each.screen,
+                                  arrange(width, height, sizes, beside).sheet, sizes, has_pictures),
+                    each);
                 if (testing::Test::HasFatalFailure()) return;
             }
         }
@@ -121,8 +131,8 @@ void for_each_layout(const Check& check, const std::vector<Case>& cases = all_ca
 }
 
 TEST(Sheet, VI6_NothingIsCutOffInAnyLanguageAtAnySizeOnAnyScreen) {
-    for_each_layout([](cairo_t* cr, const SheetLayout& layout, const Case& each) {
-        expect_all_pages_inside(cr, layout, each);
+    for_each_layout([](const SheetLayout& layout, const Case& each) {
+        expect_all_pages_inside(layout, each);
         expect_parts_apart(layout, each.name);
     });
 }
@@ -140,30 +150,29 @@ TEST(Sheet, VI6_NoScreenOfVisitorOrOperatorIsCutOffAtTheLargestSize) {
     const std::vector<Case> cases = cases_of_the_kiosk();
     EXPECT_GT(cases.size(), 4U * 50U);
     for_each_layout(
-        [](cairo_t* cr, const SheetLayout& layout, const Case& each) {
-            expect_all_pages_inside(cr, layout, each);
+        [](const SheetLayout& layout, const Case& each) {
+            expect_all_pages_inside(layout, each);
             expect_parts_apart(layout, each.name);
         },
         cases, std::array{TextSize::largest});
 }
 
 TEST(Sheet, VI6_EveryWordStandsOnSomePage) {
-    for_each_layout([](cairo_t*, const SheetLayout& layout, const Case& each) {
-        EXPECT_EQ(words_of(layout.text.pages), without_spaces(each.screen.title + each.screen.text))
-            << each.name;
+    for_each_layout([](const SheetLayout& layout, const Case& each) {
+        EXPECT_EQ(words_of(layout.text.pages), without_spaces(each.screen.text)) << each.name;
         EXPECT_EQ(words_of(layout.list.pages), words_of_items(each.screen)) << each.name;
     });
 }
 
 TEST(Sheet, TheFocusIsAlwaysOnThePageShown) {
-    for_each_layout([](cairo_t* cr, const SheetLayout& layout, const Case& each) {
+    for_each_layout([](const SheetLayout& layout, const Case& each) {
         SpokenScreen screen = each.screen;
         for (std::size_t i = 0; i < screen.items.size(); i += 1 + screen.items.size() / 10) {
             screen.focus = i;
             for (const std::int64_t time_ns :
                  {std::int64_t{0}, 3 * one_second_ns, 60 * one_second_ns}) {
                 const SheetPages shown = sheet_pages(layout, i, time_ns, time_ns);
-                EXPECT_TRUE(face_of(cr, layout, screen, shown, each.language).focus) << each.name;
+                EXPECT_TRUE(face_of(layout, screen, shown).focus) << each.name;
             }
         }
     });
@@ -193,16 +202,86 @@ TEST(Sheet, InkStaysInTheBoxOfItsLine) {
     for (const std::string& text : texts) expect_ink_inside(canvas, text, 20.0);
 }
 
-TEST(Sheet, AListFitsOnePageWhereThereIsRoom) {
+/// What a visitor can feel, as the kiosk offers it: seven things.
+SpokenScreen choices() {
+    SpokenScreen screen{
+        "What to feel",
+        "Hold the handle lightly. Begin with a practice shape, or choose a picture.",
+        {},
+        0,
+        ScreenView::none};
+    for (const char* name : {"Practice shape", "Gallery", "Your USB stick", "Camera", "Settings",
+                             "Call staff", "Finish"})
+        screen.items.push_back({0, ItemRole::choice, name, "", ""});
+    return screen;
+}
+
+TEST(Sheet, SevenItemsFitOnePageOfTheSmallScreenWithAndWithoutPictures) {
     const Canvas canvas(1, 1);
-    const Language english;
-    const TextSizes sizes = text_sizes(TextSize::normal, usual_cap_px, 1920, 1080);
-    const Arrangement arrangement = arrange(1920, 1080, sizes, false);
+    const TextSizes sizes = text_sizes(TextSize::normal, usual_cap_px, 1280, 720);
+    for (const bool has_pictures : {false, true}) {
+        const SheetLayout layout = lay_out_sheet(
+            canvas.context(), choices(), arrange(1280, 720, sizes, {}).sheet, sizes, has_pictures);
+        EXPECT_EQ(layout.text.pages.size(), 1U);
+        EXPECT_EQ(layout.list.pages.size(), 1U);
+    }
+}
+
+TEST(Sheet, TrianglesStandOnlyWhereUpAndDownChangeTheValue) {
+    SpokenScreen screen{"Settings", "", {}, 0, ScreenView::none};
+    screen.items.push_back({0, ItemRole::setting, "Volume", "4 of 7", ""});
+    const Canvas probe(1, 1);
+    const TextSizes sizes;
+    const Rect rect{0.0, 0.0, 800.0, 200.0};
+    const SheetLayout layout = lay_out_sheet(probe.context(), screen, rect, sizes, false);
+    const auto ink_after_value = [&] {
+        const SheetFace face = face_of(layout, screen, {});
+        const FaceLine& value = face.lines.back();
+        const Canvas canvas(800, 200);
+        paint_sheet(canvas.context(), layout, face, {}, white_on_black);
+        const double middle_px = value.at.y + line_height_px(sizes.cap_px) / 2.0;
+        const PixelPoint in_triangle{value.at.x + value.width_px + 0.35 * sizes.cap_px,
+                                     middle_px - 0.3 * sizes.cap_px};
+        return !is_black(colour_at(canvas, in_triangle));
+    };
+    EXPECT_FALSE(ink_after_value());
+    screen.is_turning = true;
+    EXPECT_TRUE(ink_after_value());
+}
+
+TEST(Sheet, TheLinesOfAPictureStandBeforeItsName) {
+    const SpokenScreen screen = choices();
+    const Canvas canvas(1280, 720);
+    const TextSizes sizes = text_sizes(TextSize::normal, usual_cap_px, 1280, 720);
     const SheetLayout layout =
-        lay_out_sheet(canvas.context(), sample_screens(english).front().screen, arrangement.sheet,
-                      sizes, english);
-    EXPECT_EQ(layout.text.pages.size(), 1U);
-    EXPECT_EQ(layout.list.pages.size(), 1U);
+        lay_out_sheet(canvas.context(), screen, arrange(1280, 720, sizes, {}).sheet, sizes, true);
+    const SheetFace face = face_of(layout, screen, {});
+    ASSERT_EQ(face.pictures.size(), 7U);
+    const auto drawing =
+        std::make_shared<const LineDrawing>(LineDrawing{Area{}, {{{-0.05, 0.0}, {0.05, 0.0}}}});
+    paint_sheet(canvas.context(), layout, face, {nullptr, drawing}, white_on_black);
+    const auto middle = [&](std::size_t item) {
+        const Rect& rect = face.pictures[item].rect;
+        return colour_at(canvas, {rect.x + rect.width / 2.0, rect.y + rect.height / 2.0});
+    };
+    EXPECT_TRUE(is_black(middle(0)));
+    EXPECT_FALSE(is_black(middle(1)));
+}
+
+TEST(LineDrawing, KeepsTheShapeWithFewPoints) {
+    TactileMap map;
+    Outline circle;
+    circle.is_closed = true;
+    for (int i = 0; i < 5000; ++i) {
+        const double angle_rad = 2.0 * std::numbers::pi * i / 5000;
+        circle.points.push_back({0.03 * std::cos(angle_rad), 0.03 * std::sin(angle_rad)});
+    }
+    map.outlines = {circle};
+    const LineDrawing drawing = line_drawing(map);
+    ASSERT_EQ(drawing.lines.size(), 1U);
+    EXPECT_LT(drawing.lines.front().size(), 310U);
+    EXPECT_GT(drawing.lines.front().size(), 200U);
+    EXPECT_EQ(drawing.lines.front().front(), drawing.lines.front().back());
 }
 
 }  // namespace

@@ -33,10 +33,21 @@ TEST(TimingChart, HasABarForASingleTickAmongMillionsAndNoneForNone) {
     paint_timing(canvas.context(), {10.0, 10.0, 580.0, 380.0}, bars, cap_px, white_on_black, {});
     const double row_px = timing_chart_height_px(cap_px) / (LatenessBars::count + 1);
     const auto length = [&](int bar) { return bar_px(canvas, 10.0 + (bar + 1.5) * row_px); };
-    EXPECT_GT(length(0), length(1));
-    EXPECT_GT(length(1), length(2));
-    EXPECT_GT(length(2), 3);
+    EXPECT_EQ(length(1), 2);
+    EXPECT_EQ(length(2), 2);
     EXPECT_EQ(length(3), 0);
+}
+
+TEST(TimingChart, ItsBarsAreToScale) {
+    constexpr double cap_px = 20.0;
+    const Canvas canvas(600, 400);
+    LatenessBars bars;
+    bars.ticks = {4000, 2000, 1000, 0, 0, 0};
+    paint_timing(canvas.context(), {10.0, 10.0, 580.0, 380.0}, bars, cap_px, white_on_black, {});
+    const double row_px = timing_chart_height_px(cap_px) / (LatenessBars::count + 1);
+    const auto length = [&](int bar) { return bar_px(canvas, 10.0 + (bar + 1.5) * row_px); };
+    EXPECT_NEAR(length(1), length(0) / 2.0, 2.0);
+    EXPECT_NEAR(length(2), length(0) / 4.0, 2.0);
 }
 
 TEST(TimingChart, IsNotCutOffInAnyLanguage) {
