@@ -125,7 +125,10 @@ class Kiosk : private Pinned {
     /// The lines of each item that is a picture of the gallery, else null. Empty if none is.
     [[nodiscard]] std::vector<LineDrawingPtr> pictures_of(const SpokenScreen& screen) const;
 
-    [[nodiscard]] SwitchUse switches() const { return settings_.two_switches; }
+    /// How a visitor's two switches are used; none while the operator, who has all keys, is in.
+    [[nodiscard]] SwitchUse switches() const {
+        return is_operator_in() ? SwitchUse::none : settings_.two_switches;
+    }
 
     /// The camera's view while it is to be shown; else null.
     [[nodiscard]] std::shared_ptr<const Canvas> preview() const;

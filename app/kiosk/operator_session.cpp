@@ -1,6 +1,5 @@
 #include "app/kiosk/operator_session.h"
 
-#include "app/documents/decode/files.h"
 #include "app/documents/models/networks.h"
 #include "app/documents/packs/pack.h"
 #include "app/documents/packs/pack_library.h"
@@ -181,7 +180,10 @@ struct OperatorSession::Office {
         judge(keep_counters(session.files_.counters, session.days_), no_counters);
     }
 
-    void operator()(const ExportCounters&) const { answer(session.export_counters(language)); }
+    void operator()(const ExportCounters&) const {
+        answer(session.copy(counters_csv(session.days_), "touchline-days.csv",
+                            "The table is in {0}.", language));
+    }
 
     void operator()(const BackUp&) const { answer(session.back_up(language)); }
 
@@ -192,7 +194,11 @@ struct OperatorSession::Office {
         answer(line);
     }
 
-    void operator()(const ExportLog&) const { answer(session.export_log(language)); }
+    void operator()(const ExportLog&) const {
+        std::string text;
+        for (const std::string& line : session.log_) text += line + '\n';
+        answer(session.copy(text, "touchline-log.txt", "The log is in {0}.", language));
+    }
 
     void operator()(const ImportFromStick& import) const {
         session.import_from_stick(import.file, language);
@@ -313,24 +319,11 @@ std::string OperatorSession::restore(const Language& language) {
                         no_settings, language));
 }
 
-std::string OperatorSession::export_log(const Language& language) const {
-    std::error_code error;
-    fs::create_directories(files_.copies, error);
-    std::ofstream file(files_.copies / "touchline-log.txt");
-    for (const std::string& line : log_) file << line << '\n';
-    file.flush();
-    return file ? language.text("operator", "The log is in {0}.",
-                                {files_.copies.filename().string()})
-                : language.text("operator", "The log cannot be written. Make room on the disk.");
-}
-
-std::string OperatorSession::export_counters(const Language& language) {
-    std::error_code error;
-    fs::create_directories(files_.copies, error);
+std::string OperatorSession::copy(const std::string& text, const char* file, const char* said,
+                                  const Language& language) {
     const std::string folder = files_.copies.filename().string();
-    return told(outcome(
-        write_whole_file((files_.copies / "touchline-days.csv").string(), counters_csv(days_)),
-        language.text("operator", "The table is in {0}.", {folder}), no_copy, language));
+    return told(outcome(keep_text(files_.copies / file, text),
+                        language.text("operator", said, {folder}), no_copy, language));
 }
 
 void OperatorSession::import_from_stick(std::size_t file, const Language& language) {

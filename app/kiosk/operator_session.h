@@ -7,7 +7,6 @@
 #include "app/operator/counters.h"
 #include "app/operator/operator.h"
 #include "app/operator/pin.h"
-#include "app/operator/profiles.h"
 #include "app/operator/settings_files.h"
 #include "app/visit/visit_orders.h"
 #include "audio-cues/words/language.h"
@@ -116,9 +115,9 @@ class OperatorSession {
     void hold(const Settings& site);
     [[nodiscard]] std::string back_up(const Language& language);
     [[nodiscard]] std::string restore(const Language& language);
-    [[nodiscard]] std::string export_log(const Language& language) const;
+    [[nodiscard]] std::string copy(const std::string& text, const char* file, const char* said,
+                                   const Language& language);
     [[nodiscard]] std::string told(Outcome outcome);
-    [[nodiscard]] std::string export_counters(const Language& language);
     void import_from_stick(std::size_t file, const Language& language);
     void keep_counts();
 

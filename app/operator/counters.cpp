@@ -1,6 +1,5 @@
 #include "app/operator/counters.h"
 
-#include "app/documents/decode/files.h"
 #include "app/operator/settings_files.h"
 #include "config/types/utf8.h"
 
@@ -139,9 +138,7 @@ Result<CountedDays> read_counters(const fs::path& file) {
 }
 
 Result<void> keep_counters(const fs::path& file, const CountedDays& days) {
-    std::error_code error;
-    fs::create_directories(file.parent_path(), error);
-    return write_whole_file(file.string(), counters_csv(days));
+    return keep_text(file, counters_csv(days));
 }
 
 }  // namespace touchline

@@ -331,7 +331,7 @@ SpokenScreen operator_screen(const Operator& state, const OperatorWorld& world) 
         screen.text = own_text(state, world);
         screen.items = operator_items(state, world);
         set_focus(screen, state.focus);
-        screen.is_turning = state.is_held;
+        screen.is_turning = state.is_held || is_of_pin(state.place);
     }
     add_sentence(screen.text, state.note);
     if (state.place == OperatorPlace::live) screen.view = ScreenView::picture;

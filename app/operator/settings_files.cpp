@@ -2,8 +2,10 @@
 
 #include "app/documents/decode/files.h"
 #include "app/isolation/process/places.h"
+#include "config/settings/setting_rows.h"
 #include "config/settings/settings_text.h"
 
+#include <algorithm>
 #include <system_error>
 #include <utility>
 
@@ -43,13 +45,35 @@ KeptSettings fall_back(const SettingsFiles& files, const std::string& why) {
     return {Settings{}, why + "; the program's own settings hold"};
 }
 
-Result<void> keep(const fs::path& file, const std::string& text) {
+constexpr std::size_t most_profiles = 32;
+
+std::vector<fs::path> files_in(const fs::path& folder, std::vector<std::string>& problems) {
+    std::vector<fs::path> files;
     std::error_code error;
-    fs::create_directories(file.parent_path(), error);
-    if (error)
-        return failure("the folder " + file.parent_path().string() +
-                       " cannot be made: " + error.message());
-    return write_whole_file(file.string(), text);
+    fs::directory_iterator entry(folder, error);
+    while (!error && entry != fs::directory_iterator()) {
+        if (entry->path().extension() == ".toml") files.push_back(entry->path());
+        entry.increment(error);
+    }
+    if (error) problems.push_back(folder.string() + ": the profiles cannot be read");
+    std::sort(files.begin(), files.end());
+    if (files.size() > most_profiles) files.resize(most_profiles);
+    return files;
+}
+
+/// Checks only ranges; the site's bounds are checked when the profile is used.
+Result<Profile> read_profile(const fs::path& file) {
+    const auto text = read_text(file);
+    if (!text) return tl::unexpected(text.error());
+    Profile profile{file.stem().string(), *text, {}};
+    if (profile.name.empty() || !is_allowed(TextKind::name, profile.name))
+        return failure(file.string() + ": a profile is named by " +
+                       std::string(allowed_texts(TextKind::name)));
+    const auto settings =
+        apply_settings(Settings{}, profile.text, file.string(), SettingLayer::profile);
+    if (!settings) return tl::unexpected(settings.error());
+    profile.rows = rows_in(profile.text);
+    return profile;
 }
 
 }  // namespace
@@ -74,7 +98,34 @@ KeptSettings read_settings(const SettingsFiles& files) {
 
 Result<void> keep_settings(const SettingsFiles& files, const Settings& settings) {
     const std::string text = settings_text(settings, Settings{});
-    return keep(files.site, text.empty() ? nothing_set : text);
+    return keep_text(files.site, text.empty() ? nothing_set : text);
+}
+
+fs::path profiles_folder() {
+    return installed_place(TOUCHLINE_PROFILES_BESIDE_PROGRAM, TOUCHLINE_PROFILES_SOURCE);
+}
+
+std::vector<Profile> read_profiles(const fs::path& folder, std::vector<std::string>& problems) {
+    std::vector<Profile> profiles;
+    for (const fs::path& file : files_in(folder, problems)) {
+        auto profile = read_profile(file);
+        if (profile)
+            profiles.push_back(std::move(*profile));
+        else
+            problems.push_back(profile.error().line);
+    }
+    return profiles;
+}
+
+Result<Settings> with_profile(const Settings& site, const std::vector<Profile>& profiles) {
+    if (site.profile.empty()) return site;
+    const auto found = std::find_if(profiles.begin(), profiles.end(), [&](const Profile& profile) {
+        return profile.name == site.profile;
+    });
+    if (found == profiles.end())
+        return failure("the profile '" + site.profile +
+                       "' is not there; choose another one, or none");
+    return apply_settings(site, found->text, found->name + ".toml", SettingLayer::profile);
 }
 
 fs::path keys_file() {
@@ -97,14 +148,23 @@ Result<void> keep_keys(const fs::path& file, const KeyTable& keys) {
     const std::string text = keys_text(keys);
     const auto read_back = parse_keys(text, file.string());
     if (!read_back) return tl::unexpected(read_back.error());
-    return keep(file, text);
+    return keep_text(file, text);
 }
 
 Result<void> keep_sound(const fs::path& file, const SoundSettings& sound) {
     const std::string text = sound_text(sound);
     const auto read_back = parse_sound(text, file.string());
     if (!read_back) return tl::unexpected(read_back.error());
-    return keep(file, text);
+    return keep_text(file, text);
+}
+
+Result<void> keep_text(const fs::path& file, const std::string& text) {
+    std::error_code error;
+    fs::create_directories(file.parent_path(), error);
+    if (error)
+        return failure("the folder " + file.parent_path().string() +
+                       " cannot be made: " + error.message());
+    return write_whole_file(file.string(), text);
 }
 
 FileWatch::FileWatch(fs::path file) : file_(std::move(file)), seen_(look()) {}

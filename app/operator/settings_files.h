@@ -1,4 +1,5 @@
-// The site's settings file and its last good copy, its key table, and its levels of sound.
+// The site's settings file and its last good copy, the profiles that go over it, its key table, and
+// its levels of sound.
 // Threads: any, each call by itself; calls wait for the disk. Two that write at once leave one of
 // the two files, whole.
 #pragma once
@@ -12,6 +13,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace touchline {
 
@@ -36,6 +38,27 @@ struct KeptSettings {
 /// Writes the settings that differ from the program's own as the site's file.
 [[nodiscard]] Result<void> keep_settings(const SettingsFiles& files, const Settings& settings);
 
+/// Settings for a kind of visitor. The program's own settings come first, then the site's, then
+/// those of the profile in use; the later ones hold.
+struct Profile {
+    std::string name;               // the file's, without .toml
+    std::string text;               // TOML
+    std::vector<std::size_t> rows;  // the indices of setting_rows() that it sets
+};
+
+/// The folder of the installed profiles.
+[[nodiscard]] std::filesystem::path profiles_folder();
+
+/// The NAME.toml files of a folder, sorted by name; at most 32. Leaves out one that cannot be used,
+/// and adds a line to `problems`.
+[[nodiscard]] std::vector<Profile> read_profiles(const std::filesystem::path& folder,
+                                                 std::vector<std::string>& problems);
+
+/// The site's settings with those of the profile that they name. Refuses, in one sentence, a
+/// profile that does not exist, or that would raise what the site bounds.
+[[nodiscard]] Result<Settings> with_profile(const Settings& site,
+                                            const std::vector<Profile>& profiles);
+
 /// keys.toml beside the site's settings.
 [[nodiscard]] std::filesystem::path keys_file();
 
@@ -57,6 +80,9 @@ struct KeptKeys {
 /// Writes whole or not at all. Refuses levels that break the rules of sound.h.
 [[nodiscard]] Result<void> keep_sound(const std::filesystem::path& file,
                                       const SoundSettings& sound);
+
+/// Writes the file whole or not at all, and makes its folder.
+[[nodiscard]] Result<void> keep_text(const std::filesystem::path& file, const std::string& text);
 
 /// Notices that a file has changed, by its size, its time and its place on the disk.
 class FileWatch {

@@ -2,7 +2,6 @@
 #include "app/operator/backup.h"
 #include "app/operator/counters.h"
 #include "app/operator/pin.h"
-#include "app/operator/profiles.h"
 #include "app/operator/settings_files.h"
 #include "config/settings/setting_rows.h"
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "app/operator/operator.h"
-#include "app/operator/profiles.h"
 #include "app/operator/settings_files.h"
 #include "config/types/pinned.h"
 
