@@ -84,6 +84,8 @@ struct Kiosk::VisitOrderHandler {
     void operator()(const LookWanted&) const {}  // the screen asks the visit
 
     void operator()(const CallStaff&) const {}  // the same
+
+    void operator()(const Quit&) const { kiosk.window_wishes_.is_quitting = true; }
 };
 
 Kiosk::Kiosk(KioskParts parts)

@@ -171,6 +171,9 @@ class Kiosk {
     // Keys: kiosk_keys.cpp.
     void hold_key(const KeyChange& change);
     void act(Action action);
+
+    /// Says a text of the context "operator" to whoever pressed a key of the staff.
+    void answer_staff(const std::string& english);
     void press_for_visit(KeyRole role);
     void press_switch(SwitchEvent event);
     void scan_by_itself();

@@ -11,11 +11,26 @@
 namespace touchline {
 namespace {
 
-constexpr double moved_m = 0.002;  // a smaller motion is no sign of a person
 constexpr double motor_test_lasts_s = 2.5;
 
 constexpr std::array guidance_kinds{GuidanceKind::none, GuidanceKind::tour, GuidanceKind::to_place,
                                     GuidanceKind::to_line};  // by GuideKind
+
+/// Force that waits for a hand has lost the one that it guided.
+GuidanceEnd why_stopped(const ForceStatus& force) {
+    switch (force.state) {
+        case ForceState::fault:
+        case ForceState::off:
+            return GuidanceEnd::no_force;
+        case ForceState::armed:
+            return GuidanceEnd::let_go;
+        case ForceState::ramp:
+            return force.limit == Limit::hand ? GuidanceEnd::let_go : GuidanceEnd::other;
+        case ForceState::live:
+            break;
+    }
+    return GuidanceEnd::other;
+}
 
 }  // namespace
 
@@ -133,8 +148,7 @@ HandleSeen KioskHandle::take_seen() {
     HandleSeen seen;
     seen.place_W = hand_.p_WH;
     seen.speed_m_per_s = hand_.speed_m_per_s;
-    seen.has_moved = norm(hand_.p_WH - last_seen_W_) > moved_m;
-    if (seen.has_moved) last_seen_W_ = hand_.p_WH;
+    seen.has_moved = hand_.hand_moves != std::exchange(moves_seen_, hand_.hand_moves);
     const GuidancePhase phase = hand_.guidance.phase;
     seen.is_led = phase == GuidancePhase::running || phase == GuidancePhase::pausing;
     return seen;
@@ -146,7 +160,7 @@ std::optional<GuidanceEnded> KioskHandle::take_guidance_end() {
     const bool has_arrived = status.phase == GuidancePhase::arrived;
     if (!has_arrived && status.phase != GuidancePhase::stopped) return std::nullopt;
     is_guiding_ = false;
-    return GuidanceEnded{has_arrived};
+    return GuidanceEnded{has_arrived ? GuidanceEnd::arrived : why_stopped(force_)};
 }
 
 std::optional<Position> KioskHandle::target() const {

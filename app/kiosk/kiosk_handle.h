@@ -59,8 +59,7 @@ class KioskHandle {
 
     [[nodiscard]] const ForceStatus& force() const { return force_; }
 
-    /// What the visit is told of the hand, all but the part under it. Counts its motion from here
-    /// on if it has moved.
+    /// What the visit is told of the hand, all but the part under it. Tells each motion once.
     [[nodiscard]] HandleSeen take_seen();
 
     /// Nothing: no guidance has ended since the last call.
@@ -90,7 +89,7 @@ class KioskHandle {
     bool is_recording_due_ = false;
     HandState hand_;
     ForceStatus force_;
-    Position last_seen_W_;  // the handle's place when it last counted as moved
+    std::uint32_t moves_seen_ = 0;  // of HandState::hand_moves
 };
 
 }  // namespace touchline

@@ -18,9 +18,11 @@ void Kiosk::change_key(const KeyChange& change) {
     if (role) return press_for_visit(*role);
     if (!action) return apply(DeadKeyPressed{});
     if (!is_for_operator(*action) || are_keys_free()) return act(*action);
-    sound_->say({language().code(),
-                 language().text("operator", "This key is the operator’s. Enter the PIN first."),
-                 SpeechPriority::text});
+    answer_staff("This key is the operator’s. Enter the PIN first.");
+}
+
+void Kiosk::answer_staff(const std::string& english) {
+    sound_->say({language().code(), language().text("operator", english), SpeechPriority::text});
 }
 
 /// The window system tells of a held key many times a second.
@@ -105,7 +107,8 @@ void Kiosk::act(Action action) {
         case Action::clear_fault:
             return handle_.clear_fault();
         case Action::hold_recording:
-            return handle_.servo().hold_recording();
+            handle_.servo().hold_recording();
+            return answer_staff("The last minute of the handle is held in memory.");
         case Action::home_again:
             return handle_.servo().home_again();
         case Action::toggle_live_view:
@@ -118,6 +121,8 @@ void Kiosk::act(Action action) {
         case Action::headphones_out:
             return sound_->tell_headphones(action == Action::headphones_in);
         case Action::quit:
+            // The operator's screens cover the question, and whoever is inside has the PIN.
+            if (!is_operator_in()) return apply(QuitAsked{});
             window_wishes_.is_quitting = true;
             return;
     }

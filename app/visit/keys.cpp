@@ -21,7 +21,7 @@ constexpr auto table = std::to_array<KeyRow>({
     {Key{'B'}, Action::toggle_boxes, "B", "error boxes of the curve in it, on or off"},
     {Key::f15, Action::headphones_in, "F15", "keypad: the headphones are in"},
     {Key::f16, Action::headphones_out, "F16", "keypad: the headphones are out"},
-    {Key{'Q'}, Action::quit, "Q", "for the operator: quit"},
+    {Key{'Q'}, Action::quit, "Q", "for the operator: ask, and then quit"},
 });
 
 }  // namespace

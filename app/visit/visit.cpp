@@ -85,12 +85,12 @@ void take(VisitWork& work, const HeadphonesChanged& change) {
     order(work, Hush{});
     if (!change.are_in) {
         visitor.pulled_s = work.site.now_s;
-        return;
+        return say(work, language_of(work).text("speech", "The headphones are out."));
     }
     visitor.pulled_s.reset();
     visitor.sound.is_speech_on = true;
-    if (screen == VisitScreen::question) visitor.over.reset();
-    say_return(work, language_of(work).text("speech", "The headphones are in."));
+    const std::string told = language_of(work).text("speech", "The headphones are in.");
+    screen == VisitScreen::question ? uncover(work, told) : say_return(work, told);
 }
 
 void take(VisitWork& work, const CameraCaptured& captured) {
@@ -118,7 +118,28 @@ void take(VisitWork& work, const CameraChanged& change) {
     if (work.site.has_camera == change.is_there) return;
     work.site.has_camera = change.is_there;
     if (!change.is_there) take(work, CameraFailed{});
+    if (work.visitor.path.back().screen == VisitScreen::camera) work.visitor.path.back().focus = 0;
     if (open_screen(work) == VisitScreen::camera) say_screen(work);
+}
+
+std::string told_arrival(const VisitWork& work, GuideKind kind) {
+    if (kind == GuideKind::outline) return words(work, "You have gone all the way round.");
+    if (kind == GuideKind::bring_back) return words(work, "You are on a line.");
+    return language_of(work).text("guidance", "You are there.");
+}
+
+std::string told_end(const VisitWork& work, GuidanceEnd why, GuideKind kind) {
+    switch (why) {
+        case GuidanceEnd::arrived:
+            return told_arrival(work, kind);
+        case GuidanceEnd::let_go:
+            return words(work, "You let go of the handle. It has stopped guiding you.");
+        case GuidanceEnd::no_force:
+            return words(work, "The force is off. The handle has stopped guiding you.");
+        case GuidanceEnd::other:
+            break;
+    }
+    return words(work, "The handle has stopped guiding you.");
 }
 
 void take(VisitWork& work, const GuidanceEnded& ended) {
@@ -127,14 +148,11 @@ void take(VisitWork& work, const GuidanceEnded& ended) {
     const GuideKind kind = leading->guide.kind;
     leading.reset();
     work.visitor.active_s = work.site.now_s;
-    if (!ended.has_arrived)
-        return say_next(work, words(work, "The handle has stopped guiding you."));
-    cue(work, ScreenEvent::label_reached);
-    shake(work, HandlePattern::chosen);
-    if (kind == GuideKind::outline)
-        return say_next(work, words(work, "You have gone all the way round."));
-    if (kind == GuideKind::bring_back) return say_next(work, words(work, "You are on a line."));
-    say_next(work, language_of(work).text("guidance", "You are there."));
+    if (ended.why == GuidanceEnd::arrived) {
+        cue(work, ScreenEvent::label_reached);
+        shake(work, HandlePattern::chosen);
+    }
+    say_next(work, told_end(work, ended.why, kind));
 }
 
 void take(VisitWork& work, const TroubleBegan& began) {
@@ -156,7 +174,7 @@ void take(VisitWork& work, const TroubleEnded& ended) {
     const std::string told =
         words(work, kind == TroubleKind::device ? "The force is back." : "It works again.");
     if (open_screen(work) != VisitScreen::trouble || visitor.trouble != kind)
-        return say(work, told, SpeechPriority::hint);
+        return say_next(work, told);  // Repeat says it too, and no longer the trouble
     close_trouble(work, told);
 }
 
@@ -175,6 +193,14 @@ void take(VisitWork& work, const StaffCalledOff& /*called_off*/) {
     say(work, words(work, "The staff know of your call."), SpeechPriority::hint);
 }
 
+void take(VisitWork& work, const QuitAsked& /*asked*/) {
+    stop_leading(work);
+    work.visitor.over = Standing{VisitScreen::confirm, 0, static_cast<int>(VisitItem::quit)};
+    work.visitor.entered_s = work.visitor.active_s = work.site.now_s;
+    cue(work, ScreenEvent::key_taken);
+    say_screen(work);
+}
+
 bool is_waited_for(const Visitor& visitor) {
     const VisitScreen screen = visitor.path.back().screen;
     const bool is_listing =
@@ -189,6 +215,17 @@ bool wants_preview(const Visit& visit) {
 /// True if the visitor turns speech off: then they hear how it comes back, and nothing after that.
 bool goes_silent(const Visit& before, const Visit& after) {
     return before.visitor.sound.is_speech_on && !after.visitor.sound.is_speech_on;
+}
+
+template <class... Act>
+bool is_one_of(const VisitEvent& event) {
+    return (std::holds_alternative<Act>(event) || ...);
+}
+
+/// What a visitor does and hears an answer to. A hand that moves hears the names of parts alone.
+bool is_act(const VisitEvent& event) {
+    return is_one_of<KeyPressed, KeyHeld, SpeechKeyPressed, DeadKeyPressed, HeadphonesChanged,
+                     StickArriving, StickCame, StickGone, QuitAsked>(event);
 }
 
 /// The orders that follow from the state alone; they come before what the step said and did.
@@ -264,12 +301,14 @@ void end_visit(VisitWork& work, VisitScreen next) {
     const std::size_t language = work.visitor.sound.language;
     const bool is_given = work.site.given && work.visitor.stick_list == work.site.given;
     const bool has_stick = work.visitor.has_stick && !is_given;
+    const auto felt = static_cast<int>(work.visitor.pictures_felt.size());
     work.visitor = new_visitor(work.site, work.world);
     work.visitor.path = {Standing{next}};
     // The last words are still in the visitor's language.
     if (next == VisitScreen::goodbye) {
         work.visitor.sound.language = language;
         work.visitor.has_stick_to_take = has_stick;
+        work.visitor.felt_to_tell = felt;
     }
     say_screen(work);
 }
@@ -282,7 +321,7 @@ VisitStep start_visit(const VisitWorld& world) {
 }
 
 VisitStep step(const Visit& visit, const VisitEvent& event, const VisitWorld& world) {
-    VisitWork work{visit.site, visit.visitor, world, {}};
+    VisitWork work{visit.site, visit.visitor, world, {}, is_act(event)};
     std::visit([&work](const auto& each) { take(work, each); }, event);
     return finish(visit, std::move(work));
 }

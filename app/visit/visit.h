@@ -17,6 +17,8 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace touchline {
@@ -37,7 +39,7 @@ enum class VisitScreen : std::uint8_t {
     pages,
     settings,
     values,   // of one setting; Standing::about is its item
-    confirm,  // Standing::about is the item that asked
+    confirm,  // Standing::about is the item that asked; over any screen: the operator's key
     goodbye,
     closed,
     // over any of these
@@ -70,6 +72,7 @@ enum class VisitItem : int {
     zoom,
     thing_here,
     mode,
+    undo,
     stiffness,
     held_shape,
     turn_left,
@@ -99,6 +102,7 @@ enum class VisitItem : int {
     screen,
     start_over,
     reset,
+    quit,
     no,
     yes,
     go_on,
@@ -156,6 +160,9 @@ struct KnownPicture {
     LoadPicture order;  // the order that brought it
     PictureFacts facts;
 };
+
+/// What the last change replaced: the enlargement, the detail or the kind of line.
+using FeltBefore = std::variant<ZoomWanted, int, Mode>;
 
 /// Why a loading job is under way; decides what is said when it ends. unasked: nothing is said,
 /// because the visitor did not order it; it is the same picture in another language or in the
@@ -231,10 +238,17 @@ struct HintSaid {
     }
 };
 
+/// Words that this visitor heard a moment ago.
+struct SaidLately {
+    std::string language;  // its code
+    std::string text;
+    double at_s = 0.0;
+};
+
 /// The state of one visitor; every visit begins with a new one.
 struct Visitor {
     std::vector<Standing> path{Standing{}};  // never empty; the last one is open
-    std::optional<Standing> over;            // help, question or trouble, on top of the path
+    std::optional<Standing> over;            // help, a question or trouble, on top of the path
     std::string error;                       // what `trouble` says
     std::optional<TroubleKind> trouble;      // what it is about; none: a picture or a file
     SoundWanted sound;
@@ -242,18 +256,22 @@ struct Visitor {
     Feel feel;
     int detail = 3;  // for the next picture too
     std::optional<KnownPicture> felt;
+    std::optional<FeltBefore> before;  // one step back from what is felt; none: no change yet
+    std::vector<std::pair<PictureSource, std::size_t>> pictures_felt;  // by a hand that moved
     bool is_told_shortly = false;  // the rest follows when the search for its things ends
     std::optional<Loading> loading;
     std::optional<Waiting> waiting;
     bool is_capturing = false;
     bool has_stick = false;
     bool has_stick_to_take = false;               // the last screen says so
+    int felt_to_tell = 0;                         // pictures; the last screen says so
     std::shared_ptr<const StickList> stick_list;  // none: not read yet
     std::optional<Leading> leading;
     HandleSeen handle;
     double part_since_s = 0.0;  // since the hand is on this part, or on none
     std::optional<std::size_t> part_said;
     bool has_touched = false;        // whether the hand touched a line of this picture
+    bool has_felt = false;           // whether a hand moved on one, whatever was opened since
     double active_s = 0.0;           // last key or motion
     double key_s = 0.0;              // last key
     double entered_s = 0.0;          // when the open screen was entered
@@ -262,9 +280,10 @@ struct Visitor {
     std::optional<double> pulled_s;  // when the headphones were pulled out
     bool is_hint_due = false;
     std::vector<HintSaid> hints;
-    int dead_keys = 0;  // in a row
-    int repeats = 0;    // presses of Repeat in a row
-    int helps = 0;      // presses of Help in a row, in help
+    std::vector<SaidLately> said;
+    int dead_keys = 0;                // in a row
+    int repeats = 0;                  // presses of Repeat in a row
+    std::optional<KeyRole> last_key;  // none: no key yet, or one without a meaning
     Caption caption;
 };
 

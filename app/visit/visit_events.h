@@ -52,7 +52,7 @@ struct KnobTurned {
 struct HandleSeen {
     Position place_W;                 // of the map that is felt
     std::optional<std::size_t> part;  // under the handle: index of PictureFacts::parts
-    bool has_moved = false;           // more than 2 mm since the last event that said so
+    bool has_moved = false;           // a hand has moved it since the last event
     double speed_m_per_s = 0.0;
     bool is_led = false;  // it moves by itself now; false while it waits for a hand
 };
@@ -133,8 +133,11 @@ struct CameraFailed {
     std::string sentence;
 };
 
+/// no_force: a fault, or the force is off. other: there was nothing to guide along.
+enum class GuidanceEnd : std::uint8_t { arrived, let_go, no_force, other };
+
 struct GuidanceEnded {
-    bool has_arrived = false;  // false: it was stopped, or nobody held the handle
+    GuidanceEnd why = GuidanceEnd::arrived;
 };
 
 enum class TroubleKind : std::uint8_t { device, sound, camera, stick };
@@ -167,11 +170,14 @@ struct SettingsChanged {
 /// A member of staff came.
 struct StaffCalledOff {};
 
+/// The operator's key was pressed: the kiosk ends once somebody confirms it.
+struct QuitAsked {};
+
 using VisitEvent =
     std::variant<Tick, KeyPressed, KeyHeld, SpeechKeyPressed, DeadKeyPressed, KnobTurned,
                  HandleSeen, HeadphonesChanged, StickArriving, StickCame, PicturesGiven, StickGone,
                  PictureReady, ThingsLookedFor, PictureFailed, CameraChanged, CameraCaptured,
                  CameraFailed, GuidanceEnded, TroubleBegan, TroubleEnded, OpeningChanged,
-                 SettingsChanged, StaffCalledOff>;
+                 SettingsChanged, StaffCalledOff, QuitAsked>;
 
 }  // namespace touchline

@@ -8,12 +8,16 @@
 namespace touchline {
 namespace {
 
-/// Does what every key does before anything else. True if that was all.
-bool is_taken_at_once(VisitWork& work, bool is_volume = false) {
+void note_presence(VisitWork& work) {
     Visitor& visitor = work.visitor;
     visitor.active_s = visitor.key_s = work.site.now_s;
     visitor.pulled_s.reset();
     visitor.is_hint_due = false;  // until another item or screen gets the focus
+}
+
+/// Does what every key does before anything else. True if that was all.
+bool is_taken_at_once(VisitWork& work, bool is_volume = false) {
+    note_presence(work);
     const bool was_leading = stop_leading(work);
     if (const VisitAct any_key = row_of(open_screen(work)).any_key; any_key != nullptr) {
         cue(work, ScreenEvent::key_taken);
@@ -22,7 +26,9 @@ bool is_taken_at_once(VisitWork& work, bool is_volume = false) {
     }
     if (!was_leading || is_volume) return false;
     cue(work, ScreenEvent::key_taken);
-    say(work, words(work, "Stopped."));
+    say(work, words(work, has_keys(work.world)
+                              ? "You pressed a key. The handle has stopped guiding you."
+                              : "You pressed a switch. The handle has stopped guiding you."));
     return true;
 }
 
@@ -50,7 +56,6 @@ void open_help(VisitWork& work) {
         return is_trouble ? say_screen(work, told) : say_return(work, told);
     }
     work.visitor.over = Standing{VisitScreen::help};
-    work.visitor.helps = 0;
     say_screen(work);
 }
 
@@ -110,52 +115,82 @@ void change_rate(VisitWork& work, int change) {
                             {std::to_string(rate + 1), std::to_string(last + 1)}));
 }
 
+/// `use` and `switched_use` are said in help: of a key, and of an item for two switches.
 struct RoleRow {
     const char* name;
     const char* use;
     VisitAct act;
-    const char* switched_use = nullptr;  // if it is an item and no key; none: the same
+    const char* switched_use = nullptr;  // none: the same
 };
 
 // In the order of KeyRole.
 constexpr std::array<RoleRow, key_role_count> roles{{
-    {"Up", "Goes to the item before.", move<false>},
-    {"Down", "Goes to the next item.", move<true>},
-    {"Back", "Leaves this screen.", go_back},
+    {"Up", "Goes to the item before. Hold it to jump.", move<false>, "Goes to the item before."},
+    {"Down", "Goes to the next item. Hold it to jump.", move<true>, "Goes to the next item."},
+    {"Back", "Leaves this screen. Press it again to leave.", go_back,
+     "Leaves this screen. Choose it again to leave."},
     {"Repeat", "Repeats the last words. Press it twice for the whole screen.", repeat,
      "Repeats the last words. Choose it twice for the whole screen."},
     {"Select", "Chooses the item.", select},
-    {"Help", "Explains the keys. Press it again to leave.", open_help,
-     "Explains the keys. Choose it again to leave."},
+    {"Help", "Explains the keys. Press it again to call the staff.", open_help,
+     "Explains the keys. Choose it again to call the staff."},
     {"Louder", "Raises the volume.", [](VisitWork& work) { change_volume(work, +1); }},
     {"Softer", "Lowers the volume.", [](VisitWork& work) { change_volume(work, -1); }},
 }};
 
+const char* use_of(KeyRole role, const VisitWorld& world) {
+    if (role == KeyRole::help && !world.rules.offers_staff) return "Explains the keys.";
+    const RoleRow& row = roles[static_cast<std::size_t>(role)];
+    return has_keys(world) || row.switched_use == nullptr ? row.use : row.switched_use;
+}
+
 /// In help a key only says what it is.
 void explain(VisitWork& work, KeyRole role) {
-    Visitor& visitor = work.visitor;
-    visitor.helps = role == KeyRole::help ? visitor.helps + 1 : 0;
     cue(work, ScreenEvent::key_taken);
-    if (visitor.helps < 2) {
-        const RoleRow& row = roles[static_cast<std::size_t>(role)];
-        std::string text = words(work, row.name);
-        const bool is_switched = !has_keys(work.world) && row.switched_use != nullptr;
-        add_sentence(text, words(work, is_switched ? row.switched_use : row.use));
-        return say(work, text);
-    }
-    uncover(work);
+    std::string text = words(work, roles[static_cast<std::size_t>(role)].name);
+    add_sentence(text, words(work, use_of(role, work.world)));
+    say(work, text);
+}
+
+/// True if this key is also the one pressed last: just now, or in help, where one may take time.
+bool is_pressed_twice(const VisitWork& work, KeyRole role) {
+    constexpr double twice_s = 5.0;
+    const bool is_soon = work.site.now_s - work.visitor.key_s <= twice_s;
+    return work.visitor.last_key == role && (is_soon || open_screen(work) == VisitScreen::help);
+}
+
+/// Help twice, on any screen of a visit.
+void call_staff_by_key(VisitWork& work) {
+    note_presence(work);
+    work.visitor.last_key.reset();  // a third Help explains the keys again
+    stop_leading(work);
+    cue(work, ScreenEvent::key_taken);
+    call_staff(work);
 }
 
 }  // namespace
 
+void write_keys(VisitSheet& sheet) {
+    for (std::size_t role = 0; role < key_role_count; ++role) {
+        const std::string use = sheet.words(use_of(static_cast<KeyRole>(role), sheet.world));
+        sheet.screen.items.push_back(
+            {static_cast<int>(role), ItemRole::text, sheet.words(roles[role].name), use, use});
+    }
+}
+
 void take(VisitWork& work, const KeyPressed& key) {
     const KeyRole role = key.role;
+    const bool is_twice = is_pressed_twice(work, role);
+    work.visitor.last_key = role;
     order(work, Hush{});
     work.visitor.dead_keys = 0;
     if (role != KeyRole::repeat) work.visitor.repeats = 0;
     const bool is_volume = role == KeyRole::louder || role == KeyRole::softer;
+    const bool may_call = work.world.rules.offers_staff && is_visit_on(visit_of(work));
+    if (is_twice && role == KeyRole::help && may_call) return call_staff_by_key(work);
     if (is_taken_at_once(work, is_volume)) return;
-    if (open_screen(work) == VisitScreen::help) return explain(work, role);
+    const bool is_help = open_screen(work) == VisitScreen::help;
+    if (is_help && !(is_twice && role == KeyRole::back)) return explain(work, role);
     roles[static_cast<std::size_t>(role)].act(work);
 }
 
@@ -164,13 +199,14 @@ void take(VisitWork& work, const KeyHeld& held) {
     const VisitScreen screen = open_screen(work);
     const bool does_other = row_of(screen).any_key != nullptr || screen == VisitScreen::help;
     if (does_other || work.visitor.leading || (!is_down && held.role != KeyRole::up)) return;
-    order(work, Hush{});
     const auto to = jump_focus(screen_of(work), is_down);
-    if (to) open_standing(work).focus = *to;
+    shake(work, to ? HandlePattern::focus : HandlePattern::edge);
+    if (!to) return cue(work, ScreenEvent::list_end);
+    order(work, Hush{});
+    open_standing(work).focus = *to;
     work.visitor.key_s = work.site.now_s;
     work.visitor.is_hint_due = true;
-    cue(work, to ? ScreenEvent::key_taken : ScreenEvent::list_end);
-    shake(work, to ? HandlePattern::focus : HandlePattern::edge);
+    cue(work, ScreenEvent::key_taken);
     say_item(work);
 }
 
@@ -188,6 +224,7 @@ void take(VisitWork& work, const SpeechKeyPressed& pressed) {
         return order(work, HoldSpeech{});
     }
     order(work, Hush{});
+    work.visitor.last_key.reset();
     work.visitor.dead_keys = 0;
     if (is_taken_at_once(work, true)) return;
     change_rate(work, key == SpeechKey::faster ? +1 : -1);
@@ -198,7 +235,7 @@ void take(VisitWork& work, const DeadKeyPressed& /*key*/) {
     if (is_taken_at_once(work)) return;
     refuse(work);
     work.visitor.repeats = 0;
-    work.visitor.helps = 0;
+    work.visitor.last_key.reset();
     if (open_screen(work) == VisitScreen::help) {
         return say(work, words(work, "This key has no use."));
     }

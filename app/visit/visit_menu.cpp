@@ -165,7 +165,7 @@ SpokenScreen screen_of(const Visit& visit, const VisitWorld& world) {
     if (row.write != nullptr) row.write(sheet);
     add_items(sheet, open.screen);
     if (row.back_item != nullptr) add_item(sheet, VisitItem::back, row.back_item);
-    set_focus(sheet.screen, open.focus);
+    if (open.screen != VisitScreen::help) set_focus(sheet.screen, open.focus);
     mind_the_only_item(sheet);
     // A picture stays in view beneath what lies over it.
     const ScreenView beneath = row_of(visitor.path.back().screen).view;
@@ -190,7 +190,7 @@ void select(VisitWork& work) {
         static_cast<VisitItem>(std::min(shown.id, static_cast<int>(VisitItem::entry)));
     cue(work, ScreenEvent::key_taken);
     shake(work, HandlePattern::chosen);
-    if (item == VisitItem::back) return step_back(work);
+    if (item == VisitItem::back) return row_of(open_screen(work)).back(work);
     if (const auto* const row = shown_row(open_screen(work), item))
         std::visit(Choose{work, item, shown}, row->does);
 }

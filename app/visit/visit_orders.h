@@ -143,9 +143,12 @@ struct CallStaff {
     bool is_wanted = true;
 };
 
+/// The kiosk ends.
+struct Quit {};
+
 using VisitOrder = std::variant<Utterance, Hush, HoldSpeech, GiveCue, GivePattern, LoadPicture,
                                 CancelLoad, Feel, Guide, CameraPreview, Capture, GiveStickBack,
-                                Wipe, SoundWanted, LookWanted, CallStaff>;
+                                Wipe, SoundWanted, LookWanted, CallStaff, Quit>;
 
 using VisitOrders = std::vector<VisitOrder>;
 

@@ -64,6 +64,14 @@ bool is_of_what_was_felt(LoadReason reason) {
            reason == LoadReason::unasked;
 }
 
+/// Notes what can be undone before something else is felt.
+void note_change(Visitor& visitor, LoadReason reason) {
+    if (reason == LoadReason::unasked) return;
+    visitor.before.reset();
+    if (reason == LoadReason::zoom) visitor.before = visitor.felt->order.zoom;
+    if (reason == LoadReason::detail) visitor.before = visitor.felt->order.detail;
+}
+
 std::string told_change(const VisitWork& work, LoadReason reason) {
     const KnownPicture& felt = *work.visitor.felt;
     const Language& language = language_of(work);
@@ -181,6 +189,7 @@ void take(VisitWork& work, const PictureReady& ready) {
     if (visitor.loading && visitor.loading->order.request == ready.request) {
         const Loading done = *visitor.loading;
         visitor.loading.reset();
+        note_change(visitor, done.reason);
         visitor.felt = KnownPicture{done.order, ready.facts};
         if (done.reason != LoadReason::unasked) visitor.is_told_shortly = false;
         if (done.reason == LoadReason::thing_here) {
@@ -193,7 +202,10 @@ void take(VisitWork& work, const PictureReady& ready) {
         if (done.reason == LoadReason::unasked) return;
         cue(work, ScreenEvent::picture_ready);
         leave_opening(work);
-        if (done.reason == LoadReason::other_picture) return arrive_at_picture(work, done);
+        if (done.reason == LoadReason::other_picture) {
+            visitor.has_felt = false;
+            return arrive_at_picture(work, done);
+        }
         return tell_change(work, done.reason);
     }
     if (!visitor.felt || visitor.felt->order.request != ready.request) return;

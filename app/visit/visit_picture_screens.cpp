@@ -9,6 +9,8 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace touchline {
@@ -87,6 +89,12 @@ std::string told_part_count(const VisitSheet& sheet) {
                                   static_cast<int>(facts_of(sheet).parts.size()));
 }
 
+/// What would be undone.
+std::string told_last_change(const VisitSheet& sheet) {
+    constexpr std::array names{"Enlargement", "Detail", "Kind of line"};  // as FeltBefore
+    return sheet.words(names.at(sheet.visitor().before->index()));
+}
+
 std::string told_page_place(const VisitSheet& sheet) {
     return words_of(facts_of(sheet).place, sheet.language);
 }
@@ -149,43 +157,7 @@ void write_parts_to_enlarge(VisitSheet& sheet) {
                   "Press Select to enlarge it twice, then four times.");
 }
 
-std::size_t page_count(const PagePlace& place) {
-    return static_cast<std::size_t>(std::max(place.page_count, 0));
-}
-
-std::vector<ListPart> parts_of_pages(const Standing& open, const PagePlace& place) {
-    return parts_of(shown_part(open, page_count(place)), page_count(place),
-                    [](std::size_t /*page*/) { return false; });
-}
-
-std::string name_of_pages(const ListPart& pages, const Language& language) {
-    const std::string first = std::to_string(pages.first + 1);
-    if (pages.size() == 1) return language.text("page", "Page {0}", {first});
-    return language.text("page", "Pages {0} to {1}", {first, std::to_string(pages.end)});
-}
-
-/// With two pages, the next and the one before are enough.
-bool has_many_pages(const VisitSheet& sheet) {
-    return facts_of(sheet).place.page_count > 2;
-}
-
-void write_page_rows(VisitSheet& sheet) {
-    const Standing& open = sheet.visitor().path.back();
-    const PagePlace& place = facts_of(sheet).place;
-    const std::vector<ListPart> parts = parts_of_pages(open, place);
-    for (const ListPart& part : parts) sheet.row(part.first, name_of_pages(part, sheet.language));
-    if (!parts.empty()) return;
-    const ListPart shown = shown_part(open, page_count(place));
-    for (std::size_t page = shown.first; page < shown.end; ++page)
-        sheet.row(page, name_of_pages({page, page + 1}, sheet.language));
-}
-
 void write_pages(VisitSheet& sheet) {
-    const Standing& open = sheet.visitor().path.back();
-    if (open.end > 0) {
-        sheet.screen.title = name_of_pages(shown_part(open, 0), sheet.language);
-        return;
-    }
     sheet.title(is_of_things(sheet) ? "How much of the photo" : "Pages");
     sheet.told(sheet.language.text("visit", "Now: {0}.", {told_page_place(sheet)}));
 }
@@ -205,6 +177,12 @@ void bring_back(VisitWork& work) {
 void lead_to_part(VisitWork& work, std::size_t part, const std::string& name) {
     lead(work, {GuideKind::to_place, work.visitor.felt->facts.parts[part].place_W, -1},
          words(work, "The handle will guide you to this part: {0}.", {name}));
+}
+
+/// To the pictures of the gallery, if there are any.
+void go_on_to_pictures(VisitWork& work) {
+    go_to(work, has_gallery(work.world) ? VisitScreen::gallery : VisitScreen::choose);
+    say_screen(work);
 }
 
 void other_shape(VisitWork& work) {
@@ -268,12 +246,39 @@ void choose_detail(VisitWork& work, std::size_t value) {
     open_again(work, felt, LoadReason::detail);
 }
 
-void open_view(VisitWork& work, int page, int view) {
-    LoadPicture wanted = work.visitor.felt->order;
-    wanted.page = page;
-    wanted.view = view;
-    wanted.zoom = {};
-    open_again(work, wanted, LoadReason::other_view);
+std::size_t chosen_mode(const Visitor& visitor) {
+    return static_cast<std::size_t>(visitor.feel.mode);
+}
+
+void choose_mode(VisitWork& work, std::size_t value) {
+    const auto mode = static_cast<Mode>(value);
+    if (work.visitor.feel.mode == mode) return;
+    work.visitor.before = std::exchange(work.visitor.feel.mode, mode);
+}
+
+/// Makes one change undone, by its kind.
+struct Undo {
+    VisitWork& work;
+
+    void operator()(const ZoomWanted& zoom) const {
+        LoadPicture wanted = work.visitor.felt->order;
+        wanted.zoom = zoom;
+        open_again(work, wanted, LoadReason::zoom);
+    }
+
+    void operator()(int detail) const { choose_detail(work, static_cast<std::size_t>(detail - 1)); }
+
+    void operator()(Mode mode) const {
+        choose_mode(work, static_cast<std::size_t>(mode));
+        focus_on(work, VisitItem::mode);
+        say_item(work);
+    }
+};
+
+/// Once more, and the change holds again.
+void undo(VisitWork& work) {
+    const FeltBefore before = *work.visitor.before;
+    std::visit(Undo{work}, before);
 }
 
 template <int change>
@@ -285,17 +290,6 @@ void step_view(VisitWork& work) {
 template <int change>
 void step_page(VisitWork& work) {
     open_view(work, work.visitor.felt->facts.place.page + change, 1);
-}
-
-/// `row`: a page, or the first of a part.
-void take_page(VisitWork& work, std::size_t row, const std::string& /*name*/) {
-    const Standing& open = work.visitor.path.back();
-    const std::vector<ListPart> parts = parts_of_pages(open, work.visitor.felt->facts.place);
-    const auto part = std::ranges::find(parts, row, &ListPart::first);
-    if (part == parts.end() || part->size() == 1)
-        return open_view(work, static_cast<int>(row) + 1, 1);
-    enter_part(work, VisitScreen::pages, *part);
-    say_screen(work);
 }
 
 void find_thing_here(VisitWork& work) {
@@ -368,6 +362,7 @@ constexpr auto picture_screens = std::to_array<VisitScreenRow>({
      .title = "Practice shape",
      .write = write_practice,
      .back_item = "Go on to the pictures",
+     .back = go_on_to_pictures,
      .view = ScreenView::picture},
     {.screen = S::picture,
      .write = write_picture,
@@ -407,8 +402,9 @@ constexpr auto picture_items = std::to_array<VisitItemRow>({
     {S::picture, I::tell_again, "Tell me again", tell_again},
     {S::picture, I::detail, "Detail", VisitSetting{named<details>, {chosen_detail, choose_detail}}},
     {S::picture, I::zoom, "Enlargement", S::zoom, nullptr, nullptr, told_zoom},
-    {S::picture, I::mode, "Kind of line",
-     VisitSetting{named<modes>, kept_in<&Visitor::feel, &Feel::mode>}},
+    {S::picture, I::mode, "Kind of line", VisitSetting{named<modes>, {chosen_mode, choose_mode}}},
+    {S::picture, I::undo, "Undo the last change", undo, nullptr,
+     [](const VisitSheet& sheet) { return sheet.visitor().before.has_value(); }, told_last_change},
     {S::picture, I::stiffness, "Firmness",
      VisitSetting{stiffness_names, kept_in<&Visitor::feel, &Feel::stiffness>}},
     {S::picture, I::held_shape, "Shape in the hand",
@@ -452,10 +448,17 @@ constexpr auto picture_items = std::to_array<VisitItemRow>({
      }},
     {S::pages, I::page_before, "Go to the page before", step_page<-1>, nullptr,
      [](const VisitSheet& sheet) { return facts_of(sheet).place.page > 1; }},
-    {S::pages, I::entry, "", VisitList{write_page_rows, take_page}, nullptr, has_many_pages},
 });
 
 }  // namespace
+
+void open_view(VisitWork& work, int page, int view) {
+    LoadPicture wanted = work.visitor.felt->order;
+    wanted.page = page;
+    wanted.view = view;
+    wanted.zoom = {};
+    open_again(work, wanted, LoadReason::other_view);
+}
 
 VisitMenu picture_menu() {
     return {picture_screens, picture_items};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace touchline {
 namespace {
@@ -85,14 +86,11 @@ void practise(VisitWork& work) {
     open_picture(work, PictureSource::practice, 0, {});
 }
 
-void call_staff(VisitWork& work) {
-    work.site.is_staff_called = !work.site.is_staff_called;
-    order(work, CallStaff{work.site.is_staff_called});
-    const std::string told = words(
-        work, work.site.is_staff_called ? "The staff have been called. You can carry on meanwhile."
-                                        : "The staff are no longer called.");
-    const bool is_trouble = open_screen(work) == VisitScreen::trouble;
-    is_trouble ? close_trouble(work, told) : say(work, told);
+void call_staff_or_not(VisitWork& work) {
+    if (!work.site.is_staff_called) return call_staff(work);
+    work.site.is_staff_called = false;
+    order(work, CallStaff{false});
+    say(work, words(work, "The staff are no longer called."));
 }
 
 // The camera, and work under way.
@@ -108,10 +106,6 @@ void write_camera(VisitSheet& sheet) {
 }
 
 void capture(VisitWork& work) {
-    if (!work.site.has_camera) {
-        refuse(work);
-        return say(work, words(work, "The camera does not answer. Tell the staff."));
-    }
     work.visitor.is_capturing = true;
     order(work, Capture{});
     enter(work, VisitScreen::opening);
@@ -154,10 +148,12 @@ constexpr auto questions = std::to_array<VisitQuestion>(
           begin_visit(work);
       }},
      {VisitItem::reset, "Reset the settings?",
-      "Sound, speech, letters and lines will be as at the start.", reset_settings}});
+      "Sound, speech, letters and lines will be as at the start.", reset_settings},
+     {VisitItem::quit, "Shut the kiosk down?", "Nobody can use it until somebody starts it again.",
+      [](VisitWork& work) { order(work, Quit{}); }}});
 
 const VisitQuestion& asked_question(const Visitor& visitor) {
-    const auto asked = static_cast<VisitItem>(visitor.path.back().about);
+    const auto asked = static_cast<VisitItem>(open_standing(visitor).about);
     const auto* const found = std::ranges::find(questions, asked, &VisitQuestion::asked);
     return found != questions.end() ? *found : questions.back();
 }
@@ -168,6 +164,10 @@ void write_confirm(VisitSheet& sheet) {
     sheet.sentence(question.text);
 }
 
+void refuse_question(VisitWork& work) {
+    work.visitor.over ? uncover(work) : step_back(work);
+}
+
 void ask_to_finish(VisitWork& work) {
     show(work, VisitScreen::confirm, static_cast<int>(VisitItem::finish));
 }
@@ -175,6 +175,9 @@ void ask_to_finish(VisitWork& work) {
 // The end.
 
 void write_goodbye(VisitSheet& sheet) {
+    if (const int count = sheet.visitor().felt_to_tell; count > 0)
+        sheet.told(sheet.language.counted("visit", "You felt {0} picture.",
+                                          "You felt {0} pictures.", count));
     if (sheet.visitor().has_stick_to_take) sheet.sentence("Take your USB stick with you.");
     sheet.sentence("If you brought headphones, take them with you.");
     sheet.sentence("Nothing about you is kept here.");
@@ -193,21 +196,36 @@ void write_closed(VisitSheet& sheet) {
 // What lies over another screen.
 
 void write_help(VisitSheet& sheet) {
+    const bool offers_staff = sheet.world.rules.offers_staff;
     if (!has_keys(sheet.world)) {
         sheet.sentence("Move on to Repeat, Back or Help.");
         sheet.sentence("Press Select to hear its use.");
-        sheet.sentence("Choose Help twice to go back.");
+        sheet.sentence("Choose Back twice to leave.");
+        if (offers_staff) sheet.sentence("Choose Help again to call the staff.");
     } else {
+        sheet.sentence("There are six keys: Up, Down, Back, Repeat, Select and Help.");
         sheet.sentence("Each key says its name and its use.");
-        sheet.sentence("Press Help twice to go back.");
+        sheet.sentence("Press Back twice to leave.");
+        if (offers_staff) sheet.sentence("Press Help again to call the staff.");
+        write_keys(sheet);
     }
+}
+
+/// Counts down.
+int seconds_to_answer(const VisitSheet& sheet) {
+    const double asked_s = sheet.visit.site.now_s - sheet.visitor().question_s;
+    return static_cast<int>(std::ceil(std::max(answer_s(sheet.world.rules) - asked_s, 0.0)));
 }
 
 void write_question(VisitSheet& sheet) {
     sheet.sentence(has_keys(sheet.world) ? "Press any key to go on." : "Press a switch to go on.");
-    sheet.told(sheet.language.text(
-        "visit", "Otherwise your visit ends in {0} seconds.",
-        {sheet.language.number(std::max(sheet.world.rules.answer_s, 30.0), 0)}));
+    sheet.told(sheet.language.counted("visit", "Otherwise your visit ends in {0} second.",
+                                      "Otherwise your visit ends in {0} seconds.",
+                                      seconds_to_answer(sheet)));
+}
+
+void go_on_from_help(VisitWork& work) {
+    uncover(work);
 }
 
 void give_more_time(VisitWork& work) {
@@ -252,12 +270,12 @@ constexpr auto main_screens = std::to_array<VisitScreenRow>({
      .back_item = "Back",
      .view = ScreenView::camera},
     {.screen = S::opening, .write = write_opening, .back = cancel_loading},
-    {.screen = S::confirm, .write = write_confirm},
+    {.screen = S::confirm, .write = write_confirm, .back = refuse_question},
     {.screen = S::goodbye, .title = "Goodbye", .write = write_goodbye, .any_key = begin_visit},
     {.screen = S::closed,
      .write = write_closed,
      .any_key = [](VisitWork& work) { say_screen(work); }},
-    {.screen = S::help, .title = "Try the keys", .write = write_help},
+    {.screen = S::help, .title = "Try the keys", .write = write_help, .back = go_on_from_help},
     {.screen = S::question,
      .title = "Are you still there?",
      .write = write_question,
@@ -270,19 +288,21 @@ constexpr auto main_items = std::to_array<VisitItemRow>({
     {S::choose, I::back_to_picture, "Back to the picture", return_to_picture, nullptr,
      has_own_picture, picture_title},
     {S::choose, I::practise, "Practice shape", practise, "A circle shows how a line feels."},
-    {S::choose, I::gallery, "Gallery", S::gallery, "The easiest come first.", has_gallery},
+    {S::choose, I::gallery, "Gallery", S::gallery, "The easiest come first.",
+     [](const VisitSheet& sheet) { return has_gallery(sheet.world); }},
     {S::choose, I::stick, "Your USB stick", S::stick,
      "Nothing is written to it. You can pull it out at any time.",
      [](const VisitSheet& sheet) { return sheet.world.rules.has_stick_port; }, stick_value},
     {S::choose, I::camera, "Camera", S::camera, "Takes a photo of what lies under it.",
      [](const VisitSheet& sheet) { return sheet.world.rules.has_camera; }, camera_value},
     {S::choose, I::settings, "Settings", S::settings, "Volume, speech, language and letters."},
-    {S::choose, I::call_staff, "Call staff", call_staff, nullptr,
+    {S::choose, I::call_staff, "Call staff", call_staff_or_not, nullptr,
      [](const VisitSheet& sheet) { return sheet.world.rules.offers_staff; }, staff_value},
     {S::choose, I::finish, "Finish", S::confirm, "Ends your visit."},
-    {S::camera, I::take_picture, "Take the photo", capture},
+    {S::camera, I::take_picture, "Take the photo", capture, nullptr,
+     [](const VisitSheet& sheet) { return sheet.visit.site.has_camera; }},
     {S::opening, I::cancel, "Cancel", cancel_loading},
-    {S::confirm, I::no, "No", step_back},
+    {S::confirm, I::no, "No", refuse_question},
     {S::confirm, I::yes, "Yes", [](VisitWork& work) { asked_question(work.visitor).yes(work); }},
     {S::trouble, I::go_on, "Go on", go_on, "Press Select to go on.",
      [](const VisitSheet& sheet) { return !is_of_handle(sheet); }},
@@ -298,6 +318,18 @@ constexpr auto main_items = std::to_array<VisitItemRow>({
 });
 
 }  // namespace
+
+void call_staff(VisitWork& work) {
+    work.site.is_staff_called = true;
+    order(work, CallStaff{true});
+    const std::string told = words(work, "The staff have been called. You can carry on meanwhile.");
+    if (!work.visitor.over) return say(work, told);
+    open_screen(work) == VisitScreen::trouble ? close_trouble(work, told) : uncover(work, told);
+}
+
+bool has_gallery(const VisitWorld& world) {
+    return !world.gallery.empty() && !world.gallery.front().empty();
+}
 
 VisitMenu main_menu() {
     return {main_screens, main_items};

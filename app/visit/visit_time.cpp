@@ -15,10 +15,11 @@ constexpr double hint_again_s = 30.0;  // the same hint: 10 s, and the time of o
 constexpr int hint_times = 2;          // in a visit; after that it is known
 constexpr double progress_after_s = 0.3;
 constexpr double progress_said_after_s = 2.0;
-constexpr double progress_said_every_s = 4.5;
+constexpr double progress_said_every_s = 10.5;
 constexpr double private_s = 10.0;  // headphones are out; then the kiosk asks
 constexpr double goodbye_s = 10.0;
 constexpr double practice_s = 60.0;
+constexpr double quit_asked_s = 30.0;     // then no visitor can answer it
 constexpr double longest_lead_s = 300.0;  // longer leading no longer counts as presence
 constexpr double dwell_s = 0.4;
 constexpr double quick_m_per_s = 0.08;  // no part is named while the hand is faster
@@ -49,7 +50,7 @@ void mind_presence(VisitWork& work) {
     Visitor& visitor = work.visitor;
     const double now_s = work.site.now_s;
     if (open_screen(work) == VisitScreen::question) {
-        if (now_s - visitor.question_s >= std::max(work.world.rules.answer_s, 30.0)) {
+        if (now_s - visitor.question_s >= answer_s(work.world.rules)) {
             return end_visit(work, VisitScreen::goodbye);
         }
         if (now_s - visitor.attention_s >= attention_every_s) {
@@ -74,11 +75,11 @@ void tell_progress(VisitWork& work) {
         waiting.last_cue_s = now_s;
         cue(work, ScreenEvent::progress);
     }
-    if (now_s - waiting.since_s < progress_said_after_s) return;
-    if (now_s - waiting.last_said_s < progress_said_every_s &&
-        waiting.last_said_s != waiting.since_s) {
-        return;
-    }
+    // A list that is being read said so when it was opened.
+    const bool is_first = waiting.last_said_s == waiting.since_s;
+    const bool is_new = is_first && open_screen(work) == VisitScreen::opening;
+    const double after_s = is_new ? progress_said_after_s : progress_said_every_s;
+    if (now_s - waiting.last_said_s < after_s) return;
     waiting.last_said_s = now_s;
     const SpokenScreen screen = screen_of(work);
     std::string text = screen.title;
@@ -103,6 +104,7 @@ void give_hint(VisitWork& work) {
     const double now_s = work.site.now_s;
     const double still_since_s = std::max(visitor.key_s, visitor.entered_s);
     if (!visitor.is_hint_due || now_s - still_since_s < hint_after_s) return;
+    if (visitor.leading) return;                            // every key would only stop the handle
     if (open_screen(work) == VisitScreen::opening) return;  // nobody has heard of it yet
     const bool is_of_languages = open_screen(work) == VisitScreen::language;
     const SpokenScreen screen = screen_of(work);
@@ -135,7 +137,8 @@ void begin_leading(VisitWork& work) {
 void mind_practice(VisitWork& work) {
     Standing& open = work.visitor.path.back();
     const bool is_told = open.about != 0;
-    if (open.screen != VisitScreen::practice || is_told || !work.visitor.has_touched) return;
+    if (open.screen != VisitScreen::practice || is_told) return;
+    if (!work.visitor.has_felt || work.visitor.leading) return;
     if (work.site.now_s - work.visitor.entered_s < practice_s) return;
     open.about = 1;
     say(work, words(work, "This is enough for practice. Press Back for the pictures."),
@@ -178,9 +181,35 @@ void name_part(VisitWork& work) {
     if (handle.speed_m_per_s > quick_m_per_s) return;
     visitor.part_said = handle.part;
     cue(work, ScreenEvent::label_reached);
+    work.is_asked = true;  // by the hand that rests there
     const bool is_asked_for = visitor.path.back().screen == VisitScreen::explore;
     say(work, visitor.felt->facts.parts[*handle.part].name,
         is_asked_for ? SpeechPriority::text : SpeechPriority::hint);
+    work.is_asked = false;
+}
+
+/// A hand moves on a line of what is felt.
+void note_felt(Visitor& visitor) {
+    if (!visitor.felt || visitor.has_felt) return;
+    visitor.has_felt = true;
+    const LoadPicture& picture = visitor.felt->order;
+    if (picture.source == PictureSource::practice) return;
+    const std::pair known{picture.source, picture.index};
+    // Each photo is another picture.
+    const bool is_known =
+        picture.source != PictureSource::camera &&
+        std::ranges::find(visitor.pictures_felt, known) != visitor.pictures_felt.end();
+    if (!is_known) visitor.pictures_felt.push_back(known);
+}
+
+/// The operator's question was not answered. What it was asked over may be a screen without a
+/// visitor, where no other screen may stay open either.
+void forget_to_quit(VisitWork& work) {
+    Visitor& visitor = work.visitor;
+    if (!visitor.over || work.site.now_s - visitor.entered_s < quit_asked_s) return;
+    const bool is_on = is_visit_on(visit_of(work));
+    if (is_on && visitor.over->screen == VisitScreen::confirm) return uncover(work);
+    if (!is_on) visitor.over.reset();
 }
 
 }  // namespace
@@ -194,6 +223,7 @@ void take(VisitWork& work, const Tick& tick) {
     if (screen == VisitScreen::goodbye && work.site.now_s - work.visitor.entered_s >= goodbye_s) {
         nobody_is_here(work);
     }
+    forget_to_quit(work);
     if (!is_visit_on(visit_of(work))) return;
     begin_leading(work);
     tell_progress(work);
@@ -202,6 +232,10 @@ void take(VisitWork& work, const Tick& tick) {
     mind_practice(work);
     ask_for_attention(work);
     mind_presence(work);
+}
+
+double answer_s(const VisitRules& rules) {
+    return std::max(rules.answer_s, 30.0);
 }
 
 void lead(VisitWork& work, const Guide& guide, const std::string& announcement) {
@@ -232,6 +266,7 @@ void take(VisitWork& work, const HandleSeen& handle) {
     if (visitor.has_touched && keep_whole(work)) tell_things(work);
     const bool is_hand = handle.has_moved && !handle.is_led;
     if (is_hand) visitor.active_s = work.site.now_s;
+    if (is_hand && handle.part) note_felt(visitor);
     const VisitScreen screen = open_screen(work);
     if (is_hand && screen == VisitScreen::attract) return begin_visit(work);
     if (is_hand && screen == VisitScreen::question) {

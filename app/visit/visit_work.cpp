@@ -27,6 +27,20 @@ const Language& language_of_item(const VisitWork& work, const ScreenItem& item) 
     return language_of(work);
 }
 
+/// True if these words were said a moment ago and no key was pressed since. Notes them.
+bool is_said_again(VisitWork& work, const std::string& language, const std::string& text) {
+    constexpr double lately_s = 10.0;
+    const double now_s = work.site.now_s;
+    auto& said = work.visitor.said;
+    std::erase_if(said, [&](const SaidLately& each) { return now_s - each.at_s >= lately_s; });
+    const double key_s = work.visitor.key_s;
+    const bool is_again = std::ranges::any_of(said, [&](const SaidLately& each) {
+        return each.text == text && each.language == language && each.at_s >= key_s;
+    });
+    if (!is_again || work.is_asked) said.push_back({language, text, now_s});
+    return is_again && !work.is_asked;
+}
+
 /// Counts the hint of the focused item as said if the screen's text says it too.
 void note_hint(VisitWork& work, const SpokenScreen& screen) {
     if (!screen.focus) return;
@@ -95,6 +109,8 @@ void say_in(VisitWork& work, const Language& language, const std::string& text,
         work.visitor.caption.text = text;
         work.visitor.caption.language = language.code();
     }
+    const bool is_again = is_said_again(work, language.code(), text);
+    if (is_again && priority != SpeechPriority::safety) return;
     order(work, Utterance{language.code(), text, priority});
 }
 
@@ -170,9 +186,7 @@ void leave(VisitWork& work) {
 }
 
 void step_back(VisitWork& work) {
-    const bool has_practised = open_screen(work) == VisitScreen::practice;
     leave(work);
-    if (has_practised) focus_on(work, VisitItem::gallery);
     const bool is_to_be_told =
         work.visitor.is_told_shortly && open_screen(work) == VisitScreen::picture;
     if (!is_to_be_told) return say_return(work);

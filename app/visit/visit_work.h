@@ -15,6 +15,7 @@ struct VisitWork {
     Visitor visitor;
     const VisitWorld& world;
     VisitOrders orders;
+    bool is_asked = false;  // by what the visitor does: what is said is an answer
 };
 
 /// The visitor's language.
@@ -35,7 +36,8 @@ void shake(VisitWork& work, HandlePattern pattern);
 /// Answers a key that can do nothing here.
 void refuse(VisitWork& work);
 
-/// Says `text` and makes it the caption. Does nothing if it is empty.
+/// Says `text` and makes it the caption. Does nothing if it is empty. What nobody asked for is not
+/// said again within ten seconds and before the next key; safety messages are.
 void say(VisitWork& work, const std::string& text, SpeechPriority priority = SpeechPriority::text);
 /// Says `text` once what is being said is over. Repeat says it again.
 void say_next(VisitWork& work, const std::string& text);
@@ -64,7 +66,7 @@ void say_item_next(VisitWork& work, std::string text);
 void enter(VisitWork& work, VisitScreen screen, int about = 0, std::size_t focus = 0);
 void leave(VisitWork& work);
 
-/// Leaves and says so. After the practice, goes on to the pictures.
+/// Leaves and says so.
 void step_back(VisitWork& work);
 
 /// Opens `screen` directly, one level below choose.
@@ -121,6 +123,10 @@ bool keep_whole(VisitWork& work);
 /// Title, how it is drawn, overview, parts.
 [[nodiscard]] std::string told_picture(const VisitWork& work);
 
+/// Calls the staff, and goes back to what help, the question or a trouble of the handle covers
+/// (visit_screens.cpp).
+void call_staff(VisitWork& work);
+
 // The lists of pictures (visit_lists.cpp).
 
 /// Opens the list, and each part in it, down to the picture of this LoadPicture::index, which has
@@ -129,6 +135,9 @@ void return_to_row(VisitWork& work, PictureSource source, std::size_t number);
 
 /// Called when the list becomes another one: whoever is in a part of it is in all of it then.
 void leave_parts_of_stick(Visitor& visitor);
+
+/// How long the visit waits for an answer to its question (visit_time.cpp).
+[[nodiscard]] double answer_s(const VisitRules& rules);
 
 // Leading (visit_time.cpp).
 

@@ -63,7 +63,8 @@ struct HandState {
     bool is_shape_placed = false;       // false: lines still pass through it, and nothing is felt
     double angle_rad = 0.0;             // the handle's turn
     double proxy_angle_rad = 0.0;
-    double torque_Nm = 0.0;  // of the shape on the hand, whether or not a motor can show it
+    double torque_Nm = 0.0;        // of the shape on the hand, whether or not a motor can show it
+    std::uint32_t hand_moves = 0;  // how often a hand, and no force, has moved the handle by 4 mm
 };
 
 /// off: zero, because no force is wanted. armed: zero until a hand is there and the wanted force

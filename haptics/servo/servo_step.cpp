@@ -11,7 +11,8 @@ ServoStep::ServoStep(const DeviceProfile& profile, double period_s, const TierLi
       loop_(profile, period_s, tier),
       handle_(profile),
       hand_force_(profile, period_s),
-      motor_force_(profile) {}
+      motor_force_(profile),
+      hand_work_(limits_of(profile).tip) {}
 
 std::optional<ServoStep> ServoStep::from_memory(std::span<const std::byte> bytes,
                                                 const Scene* scene, const DeviceProfile& profile) {
@@ -49,11 +50,21 @@ JointTorques ServoStep::step(const StepInput& input) {
         holds_shape() ? std::optional(hand_force_.rendering().rendered().angle_rad) : std::nullopt;
     const HandleReading handle = handle_.step(profile_, input, shape_rad, period_s, dt_s);
     const WantedForce wanted = hand_force_.step(input, handle, loop_state(input.commands));
+    watch_hand(handle, wanted.active);
     const bool is_fading = hand_force_.is_swapping() || is_stopping_;
     const SafeForce safe = motor_force_.step(profile_, input, handle, wanted, is_fading, period_s);
     handle_Nm_ = safe.handle_Nm;
     fill(input, handle, wanted, safe);
     return safe.torques;
+}
+
+/// Guidance and patterns move the handle on purpose.
+void ServoStep::watch_hand(const HandleReading& handle, Force active) {
+    const bool is_told = handle.pose && !handle.has_jumped && active == Force{};
+    if (is_told)
+        hand_work_.step(report_.hand.force, handle.p_WH, handle.dt_s);
+    else
+        hand_work_.disturb(handle.p_WH);
 }
 
 void ServoStep::fill(const StepInput& input, const HandleReading& handle, const WantedForce& wanted,
@@ -84,6 +95,7 @@ void ServoStep::fill(const StepInput& input, const HandleReading& handle, const 
     hand.angle_rad = handle.angle_rad;
     hand.proxy_angle_rad = rendering.holds_shape() ? rendered.angle_rad : handle.angle_rad;
     hand.torque_Nm = motor_force_.spring_gain() * wanted.shape_Nm;
+    hand.hand_moves = hand_work_.moves();
     report_.force = motor_force_.status();
 }
 

@@ -4,6 +4,7 @@
 
 #include "haptics/collision/scene.h"
 #include "haptics/pantograph/profile.h"
+#include "haptics/safety/hand_work.h"
 #include "haptics/servo/exchange.h"
 #include "haptics/servo/hand_force.h"
 #include "haptics/servo/handle_motion.h"
@@ -72,6 +73,7 @@ class ServoStep {
   private:
     [[nodiscard]] bool rebind(const Scene* scene, const DeviceProfile& profile);
     [[nodiscard]] LoopState loop_state(const ServoCommands& commands) const;
+    void watch_hand(const HandleReading& handle, Force active);
     void fill(const StepInput& input, const HandleReading& handle, const WantedForce& wanted,
               const SafeForce& safe);
 
@@ -80,6 +82,7 @@ class ServoStep {
     HandleMotion handle_;
     HandForce hand_force_;
     MotorForce motor_force_;
+    HandWork hand_work_;
     double handle_Nm_ = 0.0;  // sent to the handle's motor
     double last_s_ = 0.0;
     bool is_stopping_ = false;

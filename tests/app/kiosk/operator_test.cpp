@@ -178,6 +178,12 @@ void choose_pin(KioskWorld& world) {
     ASSERT_FALSE(world.kiosk().is_operator_in());
 }
 
+/// Q asks first.
+void confirm_quitting(KioskWorld& world) {
+    EXPECT_FALSE(world.kiosk().window_wishes().is_quitting);
+    for (const KeyRole role : {KeyRole::down, KeyRole::select}) world.kiosk().press(role);
+}
+
 /// What the operator's keys have ordered.
 struct Ordered {
     bool is_stopped = false;
@@ -216,6 +222,7 @@ TEST(OperatorRun, TheOperatorsOwnKeyboardNeedsNoPinForThem) {
     const Ordered stopped = ordered(world);
     for (const char key : {'C', 'O', 'R', 'Q'})
         world.kiosk().strike_operator_key({KeySource::key, static_cast<std::uint32_t>(key)});
+    confirm_quitting(world);
     EXPECT_EQ(ordered(world),
               (Ordered{false, stopped.cleared + 1, stopped.homings + 1, stopped.held + 1, true}));
 }
@@ -257,6 +264,8 @@ TEST(OperatorRun, WithoutAPinAndInAWindowTheKeysAreAnybodys) {
         strike(world, 'E');
         const Ordered stopped = ordered(world);
         for (const char key : {'C', 'O', 'R', 'Q'}) strike(world, key);
+        EXPECT_TRUE(world.heard().was_said("The last minute of the handle is held in memory."));
+        confirm_quitting(world);
         EXPECT_EQ(ordered(world), (Ordered{false, stopped.cleared + 1, stopped.homings + 1,
                                            stopped.held + 1, true}));
     }

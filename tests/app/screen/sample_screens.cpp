@@ -69,10 +69,10 @@ SpokenScreen keys_screen(const Language& language) {
     constexpr std::array keys{
         std::pair{"Up", "Goes to the item before."},
         std::pair{"Down", "Goes to the next item."},
-        std::pair{"Back", "Leaves this screen."},
+        std::pair{"Back", "Leaves this screen. Press it again to leave."},
         std::pair{"Repeat", "Repeats the last words. Press it twice for the whole screen."},
         std::pair{"Select", "Chooses the item."},
-        std::pair{"Help", "Explains the keys. Press it again to leave."},
+        std::pair{"Help", "Explains the keys. Press it again to call the staff."},
         std::pair{"Louder", "Raises the volume."},
         std::pair{"Softer", "Lowers the volume."}};
     SpokenScreen screen{language.text("visit", "Try the keys"), "", {}, 7, ScreenView::none};

@@ -79,7 +79,7 @@ void FakeHouse::carry_out(const VisitOrder& order) {
         is_leading = guide->kind != GuideKind::stop;
         std::erase_if(
             due_, [](const Due& due) { return std::holds_alternative<GuidanceEnded>(due.event); });
-        if (is_leading) due_.push_back({now_s + lead_s, GuidanceEnded{true}});
+        if (is_leading) due_.push_back({now_s + lead_s, GuidanceEnded{}});
     }
 }
 

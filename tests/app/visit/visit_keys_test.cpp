@@ -35,7 +35,8 @@ TEST(Visit, IN2_BackNeverLosesThePicture) {
 TEST(Visit, IN2_AKeyMeansTheSameEverywhere) {
     FakeHouse house;
     for (std::size_t i = 0; i < scene_graph().visits.size(); ++i) {
-        const Visit& visit = scene_graph().visits[i];
+        Visit visit = scene_graph().visits[i];
+        visit.visitor.last_key.reset();  // twice the same key may mean more
         if (!is_visit_on(visit) || visit.visitor.over || visit.visitor.leading) continue;
         const auto after = [&](KeyRole role) {
             return step(visit, KeyPressed{role}, house.world()).visit;
@@ -118,12 +119,78 @@ TEST(Visit, IN6_HelpNamesEachKeyAndLeavesAfterTwo) {
         EXPECT_GT(house.last_said().size(), name.size() + 8) << "and its use";
         EXPECT_EQ(house.open(), VisitScreen::help);
     }
-    house.press(KeyRole::down);
-    house.press(KeyRole::help);
+    house.press(KeyRole::back);
+    EXPECT_EQ(house.last_said(), "Back. Leaves this screen. Press it again to leave.");
     EXPECT_EQ(house.open(), VisitScreen::help) << "once does not leave";
-    house.press(KeyRole::help);
+    house.wait(20.0);
+    house.press(KeyRole::back);
     EXPECT_EQ(house.open(), VisitScreen::picture);
     EXPECT_EQ(house.visit.visitor.path, path) << "trying keys changed nothing";
+}
+
+TEST(Visit, HelpSaysAndShowsTheKeys) {
+    FakeHouse house;
+    to_choose(house);
+    house.press(KeyRole::help);
+    EXPECT_TRUE(house.has_said("Up, Down, Back, Repeat, Select and Help.", 0));
+    ASSERT_EQ(house.screen().items.size(), key_role_count);
+    EXPECT_EQ(house.screen().items[0].name, "Up");
+    EXPECT_EQ(house.screen().items[0].value, "Goes to the item before. Hold it to jump.");
+    EXPECT_FALSE(house.screen().focus) << "none of them can be chosen";
+}
+
+TEST(Visit, StaffAreTwoPressesAwayFromEveryScreen) {
+    FakeHouse house;
+    std::set<VisitScreen> from;
+    for (const Visit& scene : scenes_of_all_screens()) {
+        if (!is_visit_on(scene)) continue;
+        Visit visit = scene;
+        visit.site.is_staff_called = false;
+        visit.visitor.last_key.reset();
+        from.insert(open_screen(visit));
+        const auto press = [&] {
+            VisitStep next = step(visit, KeyPressed{KeyRole::help}, house.world());
+            visit = std::move(next.visit);
+            return next.orders;
+        };
+        (void)press();
+        EXPECT_FALSE(visit.site.is_staff_called);
+        const VisitOrders orders = press();
+        EXPECT_TRUE(visit.site.is_staff_called) << static_cast<int>(from.size());
+        EXPECT_TRUE(std::ranges::any_of(orders, [](const VisitOrder& order) {
+            const auto* const said = std::get_if<Utterance>(&order);
+            return said != nullptr && said->text.starts_with("The staff have been called.");
+        }));
+    }
+    EXPECT_GE(from.size(), visit_screen_count - 3) << "all but those where nobody is";
+}
+
+TEST(Visit, HelpTwiceIsTwiceOnlyAtOnceAndOnlyWhereThereAreStaff) {
+    FakeHouse late;
+    to_choose(late);
+    ASSERT_TRUE(late.choose("Gallery"));
+    late.wait(91.0);
+    late.press(KeyRole::help);  // answers the question
+    late.wait(6.0);
+    late.press(KeyRole::help);
+    EXPECT_EQ(late.open(), VisitScreen::help);
+    EXPECT_FALSE(late.visit.site.is_staff_called);
+    VisitRules rules;
+    rules.offers_staff = false;
+    FakeHouse alone(rules);
+    to_choose(alone);
+    alone.press({KeyRole::help, KeyRole::help});
+    EXPECT_EQ(alone.last_said(), "Help. Explains the keys.");
+    EXPECT_TRUE(alone.last<CallStaff>().empty());
+}
+
+TEST(Visit, TheFirstLineIsThreePressesAway) {
+    FakeHouse house;
+    house.press({KeyRole::select, KeyRole::select, KeyRole::select});
+    house.wait(house.load_s + 0.1);
+    EXPECT_EQ(house.open(), VisitScreen::practice);
+    EXPECT_TRUE(house.visit.visitor.feel.is_force_wanted);
+    EXPECT_GT(house.visit.visitor.felt->facts.outline_count, 0);
 }
 
 TEST(Visit, IN7_TheHandleMayBeLetGoAtAnyTime) {

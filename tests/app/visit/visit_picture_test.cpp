@@ -161,6 +161,39 @@ TEST(Visit, HA4_DetailIsOpenedAgainAndSaid) {
         << house.last_said();
 }
 
+TEST(Visit, TheLastChangeIsUndoneAndSaid) {
+    FakeHouse house;
+    to_picture(house);
+    EXPECT_FALSE(house.find("Undo the last change")) << "there is none yet";
+    ASSERT_TRUE(house.choose("Kind of line"));
+    ASSERT_TRUE(house.choose("wall"));
+    ASSERT_TRUE(house.find("Undo the last change"));
+    EXPECT_TRUE(house.last_said().starts_with("Undo the last change, Kind of line"));
+    house.press(KeyRole::select);
+    EXPECT_EQ(house.visit.visitor.feel.mode, Mode::groove);
+    EXPECT_TRUE(house.last_said().starts_with("Kind of line, groove"));
+    ASSERT_TRUE(house.choose("Enlargement"));
+    ASSERT_TRUE(house.choose("Twice as large, around your hand"));
+    house.wait(0.5);
+    ASSERT_EQ(house.visit.visitor.felt->order.zoom.factor, 2.0);
+    ASSERT_TRUE(house.choose("Undo the last change"));
+    house.wait(0.5);
+    EXPECT_EQ(house.visit.visitor.felt->order.zoom.factor, 1.0);
+    EXPECT_TRUE(house.last_said().starts_with("The whole picture."));
+    ASSERT_TRUE(house.choose("Detail"));
+    ASSERT_TRUE(house.choose("everything"));
+    house.wait(0.5);
+    ASSERT_TRUE(house.choose("Undo the last change"));
+    house.wait(0.5);
+    EXPECT_EQ(house.visit.visitor.felt->order.detail, 3);
+    EXPECT_EQ(house.visit.visitor.detail, 3);
+    EXPECT_NE(house.last_said().find("5 outlines. Detail, parts"), std::string::npos);
+    ASSERT_TRUE(house.choose("Another picture"));
+    house.press(KeyRole::select);
+    house.wait(0.5);
+    EXPECT_FALSE(house.find("Undo the last change")) << "of another picture";
+}
+
 /// Changes a setting and tells the visit, as the kiosk does.
 void set(FakeHouse& house, void (*change)(Settings&)) {
     const Settings before = house.settings;
@@ -293,10 +326,17 @@ TEST(Visit, HA5_APracticeShapeIsOfferedFirstAndCanBeSkipped) {
     on_line.part = 0;
     house.apply(on_line);
     house.wait(0.1);
+    EXPECT_FALSE(house.has_said("This is enough for practice.", before)) << "nobody moved";
+    on_line.has_moved = true;
+    house.apply(on_line);
+    house.wait(0.1);
     EXPECT_TRUE(house.has_said("This is enough for practice.", before));
     house.press(KeyRole::back);
+    EXPECT_EQ(house.open(), VisitScreen::gallery);
+    EXPECT_TRUE(house.last_said().starts_with("Gallery.")) << "on to the pictures";
+    EXPECT_NE(house.last_said().find("very easy, 2 pictures"), std::string::npos);
+    house.press(KeyRole::back);
     EXPECT_EQ(house.open(), VisitScreen::choose);
-    EXPECT_TRUE(house.last_said().starts_with("What to feel. Gallery, 2 of")) << "on to pictures";
     EXPECT_FALSE(house.find("Back to the picture")) << "a practice shape is none";
     house.gallery.front().clear();
     ASSERT_TRUE(house.choose("Practice shape"));
@@ -379,24 +419,6 @@ TEST(Visit, PagesAndTheirPicturesAreWalkedThrough) {
     ASSERT_TRUE(house.choose("Pages"));
     EXPECT_FALSE(house.find("Go to the next page"));
     EXPECT_TRUE(house.find("Go to the page before"));
-}
-
-TEST(Visit, AnyPageOfALongDocumentIsChosenInParts) {
-    FakeHouse house;
-    to_stick_picture(house);
-    PictureFacts facts = house.visit.visitor.felt->facts;
-    facts.place = {1, 40, 1, 1};
-    house.apply(PictureReady{house.visit.visitor.felt->order.request, facts});
-    ASSERT_TRUE(house.choose("Pages"));
-    ASSERT_TRUE(house.choose("Pages 21 to 40"));
-    EXPECT_EQ(house.last_said(), "Pages 21 to 40. Pages 21 to 25, 1 of 5");
-    ASSERT_TRUE(house.choose("Pages 36 to 40"));
-    EXPECT_FALSE(house.find("Go to the next page")) << "a part has its rows alone";
-    ASSERT_TRUE(house.choose("Page 37"));
-    EXPECT_EQ(house.last<LoadPicture>()[0].page, 37);
-    EXPECT_EQ(house.last<LoadPicture>()[0].view, 1);
-    house.wait(0.5);
-    EXPECT_EQ(house.open(), VisitScreen::picture);
 }
 
 TEST(Visit, LaterFactsOfTheSamePictureAreTaken) {

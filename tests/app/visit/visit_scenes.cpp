@@ -11,6 +11,12 @@
 namespace touchline {
 namespace {
 
+/// The last key, where the same one again does something else.
+int tried_in_help(const Visitor& visitor) {
+    const bool matters = visitor.last_key == KeyRole::help || visitor.last_key == KeyRole::back;
+    return matters ? static_cast<int>(*visitor.last_key) : 0;
+}
+
 /// Names what tells two states apart for navigation; values of settings do not.
 std::string name_of(const Visit& visit) {
     const Visitor& visitor = visit.visitor;
@@ -21,7 +27,7 @@ std::string name_of(const Visit& visit) {
     }
     if (visitor.over) {
         name += fmt::format("+{}.{}", static_cast<int>(visitor.over->screen),
-                            visitor.over->screen == VisitScreen::help ? visitor.helps : 0);
+                            visitor.over->screen == VisitScreen::help ? tried_in_help(visitor) : 0);
     }
     if (visitor.felt) {
         const KnownPicture& felt = *visitor.felt;
@@ -100,7 +106,7 @@ class Search {
             events.emplace_back(PictureFailed{order.request, {}});
         }
         if (visitor.is_capturing) events.emplace_back(CameraCaptured{});
-        if (visitor.leading && visitor.leading->has_begun) events.emplace_back(GuidanceEnded{true});
+        if (visitor.leading && visitor.leading->has_begun) events.emplace_back(GuidanceEnded{});
         if (visitor.path.back().screen == VisitScreen::stick && !visitor.stick_list) {
             events.emplace_back(
                 StickCame{{"3", "4", "5", "6", "7", "8", "boat", "lake", "letter"}, {}});

@@ -203,10 +203,11 @@ TEST(Visit, WithTwoSwitchesNobodyIsToldOfKeysThatAreNotThere) {
     house.wait(3.0);
     EXPECT_TRUE(house.has_said("weiterschalten", 0)) << "to each in its own language";
     house.press({KeyRole::select, KeyRole::help});
-    EXPECT_TRUE(house.last_said().ends_with("Choose Help twice to go back."));
+    EXPECT_TRUE(house.last_said().ends_with(
+        "Choose Back twice to leave. Choose Help again to call the staff."));
     house.press(KeyRole::repeat);
     EXPECT_TRUE(house.last_said().ends_with("Choose it twice for the whole screen."));
-    house.press({KeyRole::help, KeyRole::help});
+    house.press({KeyRole::back, KeyRole::back});
     EXPECT_EQ(house.open(), VisitScreen::choose);
     house.apply(TroubleBegan{TroubleKind::device, ""});
     EXPECT_TRUE(house.last_said().ends_with(
@@ -307,13 +308,34 @@ TEST(Visit, VO5_HeadphonesOutIsSilenceThenAQuestion) {
     const std::size_t before = house.transcript.size();
     house.apply(HeadphonesChanged{false});
     EXPECT_EQ(house.last<Hush>().size(), 1U);
+    EXPECT_EQ(house.last_said(), "The headphones are out.");
     house.wait(9.9);
-    EXPECT_EQ(house.transcript.size(), before) << "nothing private is said aloud";
+    EXPECT_EQ(house.transcript.size(), before + 1) << "nothing private is said aloud";
     house.wait(0.2);
     EXPECT_EQ(house.open(), VisitScreen::question);
     house.press(KeyRole::down);
     EXPECT_EQ(house.open(), VisitScreen::picture);
     EXPECT_TRUE(house.visit.visitor.felt);
+}
+
+TEST(Visit, HeadphonesOutAndInAreSaidOnEveryScreen) {
+    FakeHouse house;
+    std::set<VisitScreen> told;
+    for (const Visit& scene : scenes_of_all_screens()) {
+        if (!is_visit_on(scene) || !told.insert(open_screen(scene)).second) continue;
+        Visit visit = scene;
+        for (const bool are_in : {false, true}) {
+            VisitStep next = step(visit, HeadphonesChanged{are_in}, house.world());
+            visit = std::move(next.visit);
+            const bool is_said = std::ranges::any_of(next.orders, [&](const VisitOrder& order) {
+                const auto* const said = std::get_if<Utterance>(&order);
+                return said != nullptr &&
+                       said->text.starts_with(are_in ? "The headphones are in."
+                                                     : "The headphones are out.");
+            });
+            EXPECT_TRUE(is_said) << static_cast<int>(open_screen(scene)) << ", " << are_in;
+        }
+    }
 }
 
 TEST(Visit, LA1_EachLanguageIsNamedInItselfAndSwitchesSpeechAndText) {

@@ -37,8 +37,8 @@ TEST(Language, ThreeAtOnceSayTheirOwnWordsUnderAnyLocaleOfTheProcess) {
 
 TEST(Language, TheContextTellsTwoWordsApart) {
     const Language german = loaded("de");
-    EXPECT_EQ(german.text("visit", "Stopped."), "Angehalten.");
-    EXPECT_EQ(german.text("test", "Stopped."), "Abgebrochen.");
+    EXPECT_EQ(german.text("stiffness", "medium"), "mittel");
+    EXPECT_EQ(german.text("visit", "medium"), "mittelschwer");
 }
 
 TEST(Language, WhatIsMissingIsSaidInEnglish) {

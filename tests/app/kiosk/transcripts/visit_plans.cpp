@@ -52,7 +52,7 @@ void first_visit(StagedKiosk& kiosk) {
     kiosk.press(KeyRole::select);
     kiosk.listen();
     for (const KeyRole role : {KeyRole::help, KeyRole::up, KeyRole::down, KeyRole::back,
-                               KeyRole::repeat, KeyRole::select, KeyRole::help, KeyRole::help}) {
+                               KeyRole::repeat, KeyRole::select, KeyRole::back, KeyRole::back}) {
         kiosk.press(role);
         kiosk.listen();
     }
@@ -292,7 +292,7 @@ void two_switches(StagedKiosk& kiosk) {
     }
     kiosk.choose_key(KeyRole::help);
     for (const KeyRole role :
-         {KeyRole::down, KeyRole::down, KeyRole::down, KeyRole::select, KeyRole::select}) {
+         {KeyRole::down, KeyRole::down, KeyRole::select, KeyRole::select}) {  // Back, twice
         kiosk.press(role);
         kiosk.listen();
     }

@@ -187,7 +187,7 @@ KeyRole SimVisitor::key_of_screen(const VisitorPlace& place, VisitScreen screen)
             if (is_leaving) return KeyRole::back;
             return dice_.is_hit(0.3) ? KeyRole::select : KeyRole::down;
         case VisitScreen::help:
-            return KeyRole::help;  // pressed twice it leads out; other keys only explain themselves
+            return KeyRole::back;  // pressed twice it leads out; other keys only explain themselves
         case VisitScreen::opening:
             return dice_.is_hit(0.05) ? KeyRole::select : KeyRole::repeat;
         case VisitScreen::practice:

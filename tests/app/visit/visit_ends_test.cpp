@@ -1,0 +1,154 @@
+// Tests how guiding, a visit and the kiosk end, and what is said then.
+#include "tests/app/visit/fake_world.h"
+#include "tests/app/visit/visit_scenes.h"
+
+#include <utility>
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+/// Any key would only stop the handle.
+TEST(Visit, NoHintIsSaidWhileTheHandleGuides) {
+    FakeHouse house;
+    to_picture(house);
+    house.lead_s = 20.0;
+    ASSERT_TRUE(house.choose("Guide me round the outer outline"));
+    const std::size_t before = house.transcript.size();
+    house.wait(21.0);
+    EXPECT_EQ(house.transcript.size(), before) << house.last_said();
+    house.wait(3.0);
+    EXPECT_TRUE(house.has_said("You have gone all the way round.", before));
+}
+
+TEST(Visit, WhyGuidingEndedIsSaid) {
+    for (const auto& [why, told] :
+         {std::pair{GuidanceEnd::arrived, "You have gone all the way round."},
+          std::pair{GuidanceEnd::let_go, "You let go of the handle. It has stopped guiding you."},
+          std::pair{GuidanceEnd::no_force, "The force is off. The handle has stopped guiding you."},
+          std::pair{GuidanceEnd::other, "The handle has stopped guiding you."}}) {
+        FakeHouse house;
+        to_picture(house);
+        house.lead_s = 100.0;
+        ASSERT_TRUE(house.choose("Guide me round the outer outline"));
+        house.wait(3.0);
+        house.apply(GuidanceEnded{why});
+        EXPECT_EQ(house.last_said(), told);
+        house.press(KeyRole::repeat);
+        EXPECT_EQ(house.last_said(), told);
+    }
+    for (const SwitchUse use : {SwitchUse::none, SwitchUse::move_and_select}) {
+        FakeHouse house;
+        house.settings.two_switches = use;
+        to_picture(house);
+        ASSERT_TRUE(house.choose("Guide me round the outer outline"));
+        house.press(KeyRole::select);
+        EXPECT_TRUE(house.last_said().starts_with(
+            use == SwitchUse::none ? "You pressed a key." : "You pressed a switch."));
+    }
+}
+
+TEST(Visit, TheQuestionsSecondsCountDown) {
+    FakeHouse house;
+    to_picture(house);
+    while (house.open() != VisitScreen::question) house.wait(0.05);
+    EXPECT_NE(house.screen().text.find("in 30 seconds"), std::string::npos);
+    house.wait(10.0);
+    EXPECT_NE(house.screen().text.find("in 20 seconds"), std::string::npos);
+    house.wait(19.5);
+    EXPECT_NE(house.screen().text.find("in 1 second."), std::string::npos) << house.screen().text;
+}
+
+TEST(Visit, GoodbyeCountsThePicturesThatWereFelt) {
+    FakeHouse house;
+    HandleSeen moved;
+    moved.part = 0;
+    moved.has_moved = true;
+    to_choose(house);
+    ASSERT_TRUE(house.choose("Practice shape"));
+    house.wait(0.5);
+    house.apply(moved);
+    house.press(KeyRole::back);  // to the pictures
+    for (const char* title : {"Picture 5 en", "Picture 11 en", "Picture 5 en", "Picture 4 en"}) {
+        while (house.visit.visitor.path.size() > 2)
+            house.press(KeyRole::back);  // to the whole list
+        ASSERT_TRUE(house.choose_picture(title));
+        house.wait(0.5);
+        if (title != std::string("Picture 4 en")) house.apply(moved);
+        ASSERT_TRUE(house.choose("Another picture"));
+    }
+    finish(house);
+    EXPECT_TRUE(house.has_said("You felt 2 pictures.", house.transcript.size() - 1))
+        << "neither practice nor one that was only open, and none twice: " << house.last_said();
+    house.wait(12.0);
+    house.press({KeyRole::select, KeyRole::select});
+    finish(house);
+    EXPECT_FALSE(house.has_said("You felt", house.transcript.size() - 1));
+}
+
+TEST(Visit, AResetKeepsLanguageAndPictureAndSaysWhatItDid) {
+    FakeHouse house;
+    to_picture(house);
+    ASSERT_TRUE(house.choose("Firmness"));
+    ASSERT_TRUE(house.choose("very soft"));
+    house.press({KeyRole::softer, KeyRole::back});
+    ASSERT_TRUE(house.choose("Settings"));
+    for (const char* setting : {"Language", "Size of letters", "Speaking speed"}) {
+        ASSERT_TRUE(house.choose(setting));
+        house.press({KeyRole::down, KeyRole::select});
+        house.visit.visitor.sound.language = 0;
+    }
+    ASSERT_TRUE(house.choose("Screen"));
+    ASSERT_TRUE(house.choose("Reset the settings"));
+    EXPECT_EQ(house.last_said(),
+              "Reset the settings? Sound, speech, letters and lines will be as at the start. "
+              "No, 1 of 2");
+    const std::size_t language = house.visit.visitor.sound.language = 2;
+    house.press({KeyRole::down, KeyRole::select});
+    const Visitor& visitor = house.visit.visitor;
+    SoundWanted sound = house.rules.sound;
+    sound.language = language;
+    EXPECT_EQ(visitor.sound, sound) << "else the visitor would understand nothing more";
+    EXPECT_EQ(visitor.look, house.rules.look);
+    EXPECT_EQ(visitor.feel.stiffness, operators_stiffness);
+    EXPECT_TRUE(visitor.felt);
+    EXPECT_EQ(house.open(), VisitScreen::settings);
+    EXPECT_TRUE(house.last_said().starts_with(house.languages[language].text(
+        "visit", "All settings are back as they were at the start.")));
+}
+
+TEST(Visit, NobodyQuitsTheKioskWithoutAQuestion) {
+    for (const bool is_somebody_here : {false, true}) {
+        FakeHouse house;
+        if (is_somebody_here) to_picture(house);
+        const VisitScreen open = house.open();
+        for (const KeyRole no : {KeyRole::select, KeyRole::back}) {
+            house.apply(QuitAsked{});
+            EXPECT_TRUE(house.last_said().starts_with("Shut the kiosk down?"));
+            house.press(no);
+            EXPECT_TRUE(house.last<Quit>().empty());
+            EXPECT_EQ(house.open(), open);
+        }
+        house.apply(QuitAsked{});
+        house.press({KeyRole::down, KeyRole::select});
+        EXPECT_EQ(house.last<Quit>().size(), 1U);
+    }
+}
+
+TEST(Visit, AQuestionOfTheOperatorThatNobodyAnswersIsForgotten) {
+    for (const bool is_somebody_here : {false, true}) {
+        FakeHouse house;
+        if (is_somebody_here) to_picture(house);
+        const VisitScreen open = house.open();
+        house.apply(QuitAsked{});
+        house.wait(29.0);
+        EXPECT_EQ(house.open(), VisitScreen::confirm);
+        house.wait(1.5);
+        EXPECT_EQ(house.open(), open) << "no visitor can answer it";
+        EXPECT_EQ(house.visit.visitor.felt.has_value(), is_somebody_here);
+    }
+}
+
+}  // namespace
+}  // namespace touchline
