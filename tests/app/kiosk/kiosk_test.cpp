@@ -29,6 +29,26 @@ TEST(Kiosk, SP1_AKeyBeginsAVisitWithSpeechAtOnce) {
     EXPECT_TRUE(is_visit_on(world.kiosk().visit()));
 }
 
+/// The question shakes the handle, and what shakes is nobody.
+TEST(Kiosk, TheQuestionDoesNotAnswerItself) {
+    for (const Mode mode : {Mode::wall, Mode::groove, Mode::ridge, Mode::stay}) {
+        KioskWorld world;
+        Settings settings;
+        settings.mode = mode;
+        settings.two_switches = SwitchUse::move_and_select;
+        settings.first_language = "fr";
+        world.kiosk().set(settings);
+        for (int presses = 0; presses < 3; ++presses) world.press(KeyRole::select);
+        world.run(3.0);
+        ASSERT_EQ(open_screen(world.kiosk().visit()), VisitScreen::practice);
+        world.run(90.0);
+        EXPECT_EQ(open_screen(world.kiosk().visit()), VisitScreen::question);
+        world.run(32.0);
+        EXPECT_EQ(open_screen(world.kiosk().visit()), VisitScreen::goodbye)
+            << static_cast<int>(mode);
+    }
+}
+
 /// Another part of a visitor's picture comes from the same file, even if another file now has its
 /// place in the list.
 TEST(Kiosk, ADetailOfAPictureOfAStickThatWasPulledIsOfThatPicture) {

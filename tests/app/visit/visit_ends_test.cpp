@@ -2,6 +2,9 @@
 #include "tests/app/visit/fake_world.h"
 #include "tests/app/visit/visit_scenes.h"
 
+#include <optional>
+#include <set>
+#include <string>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -49,6 +52,43 @@ TEST(Visit, WhyGuidingEndedIsSaid) {
     }
 }
 
+/// Passes an hour in which the handle shakes, is led and rests on lines, and no hand moves it.
+/// Returns how often the visit believed that somebody answered.
+int answers_of_nobody(FakeHouse& house) {
+    int answers = 0;
+    for (int second = 0; second < 3600 && is_visit_on(house.visit); ++second) {
+        HandleSeen shaking;
+        shaking.place_W = {0.003 * (second % 3), -0.003 * (second % 2)};
+        shaking.part = second % 4 == 0 ? std::optional<std::size_t>() : second % 2;
+        shaking.speed_m_per_s = 0.1 * (second % 3);
+        const bool was_asked = house.open() == VisitScreen::question;
+        house.apply(shaking);
+        house.now_s += 1.0;
+        house.apply(Tick{house.now_s});
+        const bool is_asked = house.open() == VisitScreen::question;
+        if (was_asked && !is_asked && is_visit_on(house.visit)) ++answers;
+    }
+    return answers;
+}
+
+TEST(Visit, TI1_NobodyAnswersOnNoScreenAndInNoLanguage) {
+    for (std::size_t language = 0; language < all_languages().size(); ++language) {
+        std::set<VisitScreen> known;
+        for (const Visit& scene : scenes_of_all_screens()) {
+            if (!known.insert(open_screen(scene)).second) continue;
+            for (const Mode mode : {Mode::wall, Mode::groove, Mode::ridge, Mode::stay}) {
+                FakeHouse house;
+                house.visit = scene;
+                house.visit.visitor.sound.language = language;
+                house.visit.visitor.feel.mode = mode;
+                house.now_s = scene.site.now_s;
+                EXPECT_EQ(answers_of_nobody(house), 0) << static_cast<int>(open_screen(scene));
+                EXPECT_FALSE(is_visit_on(house.visit)) << "and the visit ends";
+            }
+        }
+    }
+}
+
 TEST(Visit, TheQuestionsSecondsCountDown) {
     FakeHouse house;
     to_picture(house);
@@ -65,19 +105,18 @@ TEST(Visit, GoodbyeCountsThePicturesThatWereFelt) {
     HandleSeen moved;
     moved.part = 0;
     moved.has_moved = true;
-    to_choose(house);
+    to_stick_picture(house);
+    house.apply(moved);
+    for (const std::string title : {"file 2", "file 1", "file 3"}) {
+        ASSERT_TRUE(house.choose("Another picture"));
+        ASSERT_TRUE(house.choose(title));
+        house.wait(0.5);
+        if (title != "file 3") house.apply(moved);
+    }
+    while (house.open() != VisitScreen::choose) house.press(KeyRole::back);
     ASSERT_TRUE(house.choose("Practice shape"));
     house.wait(0.5);
     house.apply(moved);
-    house.press(KeyRole::back);  // to the pictures
-    for (const char* title : {"Picture 5 en", "Picture 11 en", "Picture 5 en", "Picture 4 en"}) {
-        while (house.visit.visitor.path.size() > 2)
-            house.press(KeyRole::back);  // to the whole list
-        ASSERT_TRUE(house.choose_picture(title));
-        house.wait(0.5);
-        if (title != std::string("Picture 4 en")) house.apply(moved);
-        ASSERT_TRUE(house.choose("Another picture"));
-    }
     finish(house);
     EXPECT_TRUE(house.has_said("You felt 2 pictures.", house.transcript.size() - 1))
         << "neither practice nor one that was only open, and none twice: " << house.last_said();
