@@ -125,8 +125,8 @@ struct RoleRow {
 
 // In the order of KeyRole.
 constexpr std::array<RoleRow, key_role_count> roles{{
-    {"Up", "Goes to the item before.", move<false>},
-    {"Down", "Goes to the next item.", move<true>},
+    {"Up", "Goes to the item before. Hold it to jump.", move<false>, "Goes to the item before."},
+    {"Down", "Goes to the next item. Hold it to jump.", move<true>, "Goes to the next item."},
     {"Back", "Leaves this screen. Press it again to leave.", go_back,
      "Leaves this screen. Choose it again to leave."},
     {"Repeat", "Repeats the last words. Press it twice for the whole screen.", repeat,
@@ -199,13 +199,14 @@ void take(VisitWork& work, const KeyHeld& held) {
     const VisitScreen screen = open_screen(work);
     const bool does_other = row_of(screen).any_key != nullptr || screen == VisitScreen::help;
     if (does_other || work.visitor.leading || (!is_down && held.role != KeyRole::up)) return;
-    order(work, Hush{});
     const auto to = jump_focus(screen_of(work), is_down);
-    if (to) open_standing(work).focus = *to;
+    shake(work, to ? HandlePattern::focus : HandlePattern::edge);
+    if (!to) return cue(work, ScreenEvent::list_end);
+    order(work, Hush{});
+    open_standing(work).focus = *to;
     work.visitor.key_s = work.site.now_s;
     work.visitor.is_hint_due = true;
-    cue(work, to ? ScreenEvent::key_taken : ScreenEvent::list_end);
-    shake(work, to ? HandlePattern::focus : HandlePattern::edge);
+    cue(work, ScreenEvent::key_taken);
     say_item(work);
 }
 

@@ -1,5 +1,5 @@
-// The lists of pictures, the gallery's and a stick's: a long one in parts, each named by how its
-// pictures are sorted; and the way from a picture to its neighbours.
+// The lists of pictures, the gallery's and a stick's, and of a document's pages: a long one in
+// parts, each named by how its rows are sorted; and the way from a picture to its neighbours.
 #include "app/documents/sticks/first_letters.h"
 #include "app/documents/sticks/spoken_name.h"
 #include "app/visit/list_parts.h"
@@ -244,6 +244,54 @@ void open_picture_beside(VisitWork& work) {
     work.visitor.loading->focus = change > 0 ? VisitItem::next_picture : VisitItem::picture_before;
 }
 
+// The pages of a document.
+
+std::size_t page_count(const PagePlace& place) {
+    return static_cast<std::size_t>(std::max(place.page_count, 0));
+}
+
+std::vector<ListPart> parts_of_pages(const Standing& open, const PagePlace& place) {
+    return parts_of(shown_part(open, page_count(place)), page_count(place),
+                    [](std::size_t /*page*/) { return false; });
+}
+
+std::string name_of_pages(const ListPart& pages, const Language& language) {
+    const std::string first = std::to_string(pages.first + 1);
+    if (pages.size() == 1) return language.text("page", "Page {0}", {first});
+    return language.text("page", "Pages {0} to {1}", {first, std::to_string(pages.end)});
+}
+
+/// With two pages, the next and the one before are enough.
+bool has_many_pages(const VisitSheet& sheet) {
+    return sheet.felt().facts.place.page_count > 2;
+}
+
+void write_page_rows(VisitSheet& sheet) {
+    const Standing& open = sheet.visitor().path.back();
+    const PagePlace& place = sheet.felt().facts.place;
+    const ListPart shown = shown_part(open, page_count(place));
+    if (shows_part(sheet)) {
+        sheet.screen.title = name_of_pages(shown, sheet.language);
+        sheet.screen.text.clear();
+    }
+    const std::vector<ListPart> parts = parts_of_pages(open, place);
+    for (const ListPart& part : parts) sheet.row(part.first, name_of_pages(part, sheet.language));
+    if (!parts.empty()) return;
+    for (std::size_t page = shown.first; page < shown.end; ++page)
+        sheet.row(page, name_of_pages({page, page + 1}, sheet.language));
+}
+
+/// `row`: a page, or the first of a part.
+void take_page(VisitWork& work, std::size_t row, const std::string& /*name*/) {
+    const Standing& open = work.visitor.path.back();
+    const std::vector<ListPart> parts = parts_of_pages(open, work.visitor.felt->facts.place);
+    const auto part = std::ranges::find(parts, row, &ListPart::first);
+    if (part == parts.end() || part->size() == 1)
+        return open_view(work, static_cast<int>(row) + 1, 1);
+    enter_part(work, VisitScreen::pages, *part);
+    say_screen(work);
+}
+
 using S = VisitScreen;
 using I = VisitItem;
 
@@ -257,6 +305,7 @@ constexpr auto list_items = std::to_array<VisitItemRow>({
      VisitList{write_list<PictureSource::gallery>, take_row<PictureSource::gallery>}},
     {S::stick, I::entry, "",
      VisitList{write_list<PictureSource::stick>, take_row<PictureSource::stick>}},
+    {S::pages, I::entry, "", VisitList{write_page_rows, take_page}, nullptr, has_many_pages},
     {S::picture, I::next_picture, "Next picture", open_picture_beside<+1>, nullptr,
      has_picture_beside<+1>, picture_beside<+1>},
     {S::picture, I::picture_before, "Picture before", open_picture_beside<-1>, nullptr,

@@ -142,14 +142,17 @@ struct VisitMenu {
 /// Enters the screen and says it.
 void show(VisitWork& work, VisitScreen screen, int about = 0, std::size_t focus = 0);
 
+/// Writes each key and its use, to be read (visit_keys.cpp).
+void write_keys(VisitSheet& sheet);
+
+/// Opens another page, or another view of it, of the document that is felt.
+void open_view(VisitWork& work, int page, int view);
+
 /// The rows of an open list that it shows, each by itself or in parts.
 [[nodiscard]] ListPart shown_part(const Standing& open, std::size_t rows);
 
 /// Opens a part of the open list, without a word.
 void enter_part(VisitWork& work, VisitScreen list, const ListPart& part);
-
-/// Writes each key and its use, to be read (visit_keys.cpp).
-void write_keys(VisitSheet& sheet);
 
 [[nodiscard]] bool has_gallery(const VisitWorld& world);
 

@@ -157,43 +157,7 @@ void write_parts_to_enlarge(VisitSheet& sheet) {
                   "Press Select to enlarge it twice, then four times.");
 }
 
-std::size_t page_count(const PagePlace& place) {
-    return static_cast<std::size_t>(std::max(place.page_count, 0));
-}
-
-std::vector<ListPart> parts_of_pages(const Standing& open, const PagePlace& place) {
-    return parts_of(shown_part(open, page_count(place)), page_count(place),
-                    [](std::size_t /*page*/) { return false; });
-}
-
-std::string name_of_pages(const ListPart& pages, const Language& language) {
-    const std::string first = std::to_string(pages.first + 1);
-    if (pages.size() == 1) return language.text("page", "Page {0}", {first});
-    return language.text("page", "Pages {0} to {1}", {first, std::to_string(pages.end)});
-}
-
-/// With two pages, the next and the one before are enough.
-bool has_many_pages(const VisitSheet& sheet) {
-    return facts_of(sheet).place.page_count > 2;
-}
-
-void write_page_rows(VisitSheet& sheet) {
-    const Standing& open = sheet.visitor().path.back();
-    const PagePlace& place = facts_of(sheet).place;
-    const std::vector<ListPart> parts = parts_of_pages(open, place);
-    for (const ListPart& part : parts) sheet.row(part.first, name_of_pages(part, sheet.language));
-    if (!parts.empty()) return;
-    const ListPart shown = shown_part(open, page_count(place));
-    for (std::size_t page = shown.first; page < shown.end; ++page)
-        sheet.row(page, name_of_pages({page, page + 1}, sheet.language));
-}
-
 void write_pages(VisitSheet& sheet) {
-    const Standing& open = sheet.visitor().path.back();
-    if (open.end > 0) {
-        sheet.screen.title = name_of_pages(shown_part(open, 0), sheet.language);
-        return;
-    }
     sheet.title(is_of_things(sheet) ? "How much of the photo" : "Pages");
     sheet.told(sheet.language.text("visit", "Now: {0}.", {told_page_place(sheet)}));
 }
@@ -317,14 +281,6 @@ void undo(VisitWork& work) {
     std::visit(Undo{work}, before);
 }
 
-void open_view(VisitWork& work, int page, int view) {
-    LoadPicture wanted = work.visitor.felt->order;
-    wanted.page = page;
-    wanted.view = view;
-    wanted.zoom = {};
-    open_again(work, wanted, LoadReason::other_view);
-}
-
 template <int change>
 void step_view(VisitWork& work) {
     const PagePlace& place = work.visitor.felt->facts.place;
@@ -334,17 +290,6 @@ void step_view(VisitWork& work) {
 template <int change>
 void step_page(VisitWork& work) {
     open_view(work, work.visitor.felt->facts.place.page + change, 1);
-}
-
-/// `row`: a page, or the first of a part.
-void take_page(VisitWork& work, std::size_t row, const std::string& /*name*/) {
-    const Standing& open = work.visitor.path.back();
-    const std::vector<ListPart> parts = parts_of_pages(open, work.visitor.felt->facts.place);
-    const auto part = std::ranges::find(parts, row, &ListPart::first);
-    if (part == parts.end() || part->size() == 1)
-        return open_view(work, static_cast<int>(row) + 1, 1);
-    enter_part(work, VisitScreen::pages, *part);
-    say_screen(work);
 }
 
 void find_thing_here(VisitWork& work) {
@@ -503,10 +448,17 @@ constexpr auto picture_items = std::to_array<VisitItemRow>({
      }},
     {S::pages, I::page_before, "Go to the page before", step_page<-1>, nullptr,
      [](const VisitSheet& sheet) { return facts_of(sheet).place.page > 1; }},
-    {S::pages, I::entry, "", VisitList{write_page_rows, take_page}, nullptr, has_many_pages},
 });
 
 }  // namespace
+
+void open_view(VisitWork& work, int page, int view) {
+    LoadPicture wanted = work.visitor.felt->order;
+    wanted.page = page;
+    wanted.view = view;
+    wanted.zoom = {};
+    open_again(work, wanted, LoadReason::other_view);
+}
 
 VisitMenu picture_menu() {
     return {picture_screens, picture_items};

@@ -126,6 +126,37 @@ TEST(Visit, GoodbyeCountsThePicturesThatWereFelt) {
     EXPECT_FALSE(house.has_said("You felt", house.transcript.size() - 1));
 }
 
+TEST(Visit, AResetKeepsLanguageAndPictureAndSaysWhatItDid) {
+    FakeHouse house;
+    to_picture(house);
+    ASSERT_TRUE(house.choose("Firmness"));
+    ASSERT_TRUE(house.choose("very soft"));
+    house.press({KeyRole::softer, KeyRole::back});
+    ASSERT_TRUE(house.choose("Settings"));
+    for (const char* setting : {"Language", "Size of letters", "Speaking speed"}) {
+        ASSERT_TRUE(house.choose(setting));
+        house.press({KeyRole::down, KeyRole::select});
+        house.visit.visitor.sound.language = 0;
+    }
+    ASSERT_TRUE(house.choose("Screen"));
+    ASSERT_TRUE(house.choose("Reset the settings"));
+    EXPECT_EQ(house.last_said(),
+              "Reset the settings? Sound, speech, letters and lines will be as at the start. "
+              "No, 1 of 2");
+    const std::size_t language = house.visit.visitor.sound.language = 2;
+    house.press({KeyRole::down, KeyRole::select});
+    const Visitor& visitor = house.visit.visitor;
+    SoundWanted sound = house.rules.sound;
+    sound.language = language;
+    EXPECT_EQ(visitor.sound, sound) << "else the visitor would understand nothing more";
+    EXPECT_EQ(visitor.look, house.rules.look);
+    EXPECT_EQ(visitor.feel.stiffness, operators_stiffness);
+    EXPECT_TRUE(visitor.felt);
+    EXPECT_EQ(house.open(), VisitScreen::settings);
+    EXPECT_TRUE(house.last_said().starts_with(house.languages[language].text(
+        "visit", "All settings are back as they were at the start.")));
+}
+
 TEST(Visit, NobodyQuitsTheKioskWithoutAQuestion) {
     for (const bool is_somebody_here : {false, true}) {
         FakeHouse house;

@@ -135,7 +135,7 @@ TEST(Visit, HelpSaysAndShowsTheKeys) {
     EXPECT_TRUE(house.has_said("Up, Down, Back, Repeat, Select and Help.", 0));
     ASSERT_EQ(house.screen().items.size(), key_role_count);
     EXPECT_EQ(house.screen().items[0].name, "Up");
-    EXPECT_EQ(house.screen().items[0].value, "Goes to the item before.");
+    EXPECT_EQ(house.screen().items[0].value, "Goes to the item before. Hold it to jump.");
     EXPECT_FALSE(house.screen().focus) << "none of them can be chosen";
 }
 

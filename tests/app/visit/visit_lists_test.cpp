@@ -256,6 +256,44 @@ TEST(VisitLists, AStickReplacesThePicturesGivenAtTheStartWhileItIsThere) {
     EXPECT_NE(house.last_said().find("Take your USB stick"), std::string::npos);
 }
 
+TEST(VisitLists, AFileThatCannotBeOpenedIsToldByItsNameAndPartsOfAPictureWithoutOne) {
+    FakeHouse house;
+    to_choose(house);
+    house.apply(StickCame{{"boat.png", "my_letter.png"}, {}});
+    ASSERT_TRUE(house.choose("Your USB stick"));
+    ASSERT_TRUE(house.choose("my letter"));
+    house.apply(PictureFailed{house.visit.site.request, "The file is damaged. Choose another."});
+    EXPECT_TRUE(house.last_said().starts_with(
+        "Something is wrong. my letter cannot be opened. The file is damaged. Choose another."))
+        << house.last_said();
+    house.press(KeyRole::select);
+    ASSERT_TRUE(house.choose("boat"));
+    house.wait(0.5);
+    ASSERT_TRUE(house.choose("Enlargement"));
+    ASSERT_TRUE(house.choose("Twice as large, around your hand"));
+    house.apply(PictureFailed{house.visit.site.request, "There is no line in this part."});
+    EXPECT_TRUE(house.last_said().starts_with("Something is wrong. There is no line in this part."))
+        << house.last_said();
+}
+
+TEST(VisitLists, AnyPageOfALongDocumentIsChosenInParts) {
+    FakeHouse house;
+    to_stick_picture(house);
+    PictureFacts facts = house.visit.visitor.felt->facts;
+    facts.place = {1, 40, 1, 1};
+    house.apply(PictureReady{house.visit.visitor.felt->order.request, facts});
+    ASSERT_TRUE(house.choose("Pages"));
+    ASSERT_TRUE(house.choose("Pages 21 to 40"));
+    EXPECT_EQ(house.last_said(), "Pages 21 to 40. Pages 21 to 25, 1 of 5");
+    ASSERT_TRUE(house.choose("Pages 36 to 40"));
+    EXPECT_FALSE(house.find("Go to the next page")) << "a part has its rows alone";
+    ASSERT_TRUE(house.choose("Page 37"));
+    EXPECT_EQ(house.last<LoadPicture>()[0].page, 37);
+    EXPECT_EQ(house.last<LoadPicture>()[0].view, 1);
+    house.wait(0.5);
+    EXPECT_EQ(house.open(), VisitScreen::picture);
+}
+
 TEST(VisitLists, OfThousandsAreThreeDeepToo) {
     FakeHouse house;
     std::vector<std::string> names;

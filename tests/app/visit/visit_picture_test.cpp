@@ -334,6 +334,7 @@ TEST(Visit, HA5_APracticeShapeIsOfferedFirstAndCanBeSkipped) {
     house.press(KeyRole::back);
     EXPECT_EQ(house.open(), VisitScreen::gallery);
     EXPECT_TRUE(house.last_said().starts_with("Gallery.")) << "on to the pictures";
+    EXPECT_NE(house.last_said().find("very easy, 2 pictures"), std::string::npos);
     house.press(KeyRole::back);
     EXPECT_EQ(house.open(), VisitScreen::choose);
     EXPECT_FALSE(house.find("Back to the picture")) << "a practice shape is none";
@@ -418,24 +419,6 @@ TEST(Visit, PagesAndTheirPicturesAreWalkedThrough) {
     ASSERT_TRUE(house.choose("Pages"));
     EXPECT_FALSE(house.find("Go to the next page"));
     EXPECT_TRUE(house.find("Go to the page before"));
-}
-
-TEST(Visit, AnyPageOfALongDocumentIsChosenInParts) {
-    FakeHouse house;
-    to_stick_picture(house);
-    PictureFacts facts = house.visit.visitor.felt->facts;
-    facts.place = {1, 40, 1, 1};
-    house.apply(PictureReady{house.visit.visitor.felt->order.request, facts});
-    ASSERT_TRUE(house.choose("Pages"));
-    ASSERT_TRUE(house.choose("Pages 21 to 40"));
-    EXPECT_EQ(house.last_said(), "Pages 21 to 40. Pages 21 to 25, 1 of 5");
-    ASSERT_TRUE(house.choose("Pages 36 to 40"));
-    EXPECT_FALSE(house.find("Go to the next page")) << "a part has its rows alone";
-    ASSERT_TRUE(house.choose("Page 37"));
-    EXPECT_EQ(house.last<LoadPicture>()[0].page, 37);
-    EXPECT_EQ(house.last<LoadPicture>()[0].view, 1);
-    house.wait(0.5);
-    EXPECT_EQ(house.open(), VisitScreen::picture);
 }
 
 TEST(Visit, LaterFactsOfTheSamePictureAreTaken) {

@@ -121,7 +121,6 @@ TEST(VisitRun, TwoKeys) {
     ASSERT_TRUE(house.choose("Practice shape"));
     house.wait(0.5);
     ASSERT_TRUE(house.choose("Go on to the pictures"));
-    ASSERT_TRUE(house.choose("Gallery"));
     ASSERT_TRUE(house.choose("hard"));
     ASSERT_TRUE(house.choose("Back"));
     ASSERT_TRUE(house.choose("very easy"));

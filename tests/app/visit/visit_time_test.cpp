@@ -179,37 +179,6 @@ TEST(Visit, TI3_StartOverAndResetAskOnce) {
     EXPECT_FALSE(house.visit.visitor.felt);
 }
 
-TEST(Visit, AResetKeepsLanguageAndPictureAndSaysWhatItDid) {
-    FakeHouse house;
-    to_picture(house);
-    ASSERT_TRUE(house.choose("Firmness"));
-    ASSERT_TRUE(house.choose("very soft"));
-    house.press({KeyRole::softer, KeyRole::back});
-    ASSERT_TRUE(house.choose("Settings"));
-    for (const char* setting : {"Language", "Size of letters", "Speaking speed"}) {
-        ASSERT_TRUE(house.choose(setting));
-        house.press({KeyRole::down, KeyRole::select});
-        house.visit.visitor.sound.language = 0;
-    }
-    ASSERT_TRUE(house.choose("Screen"));
-    ASSERT_TRUE(house.choose("Reset the settings"));
-    EXPECT_EQ(house.last_said(),
-              "Reset the settings? Sound, speech, letters and lines will be as at the start. "
-              "No, 1 of 2");
-    const std::size_t language = house.visit.visitor.sound.language = 2;
-    house.press({KeyRole::down, KeyRole::select});
-    const Visitor& visitor = house.visit.visitor;
-    SoundWanted sound = house.rules.sound;
-    sound.language = language;
-    EXPECT_EQ(visitor.sound, sound) << "else the visitor would understand nothing more";
-    EXPECT_EQ(visitor.look, house.rules.look);
-    EXPECT_EQ(visitor.feel.stiffness, operators_stiffness);
-    EXPECT_TRUE(visitor.felt);
-    EXPECT_EQ(house.open(), VisitScreen::settings);
-    EXPECT_TRUE(house.last_said().starts_with(house.languages[language].text(
-        "visit", "All settings are back as they were at the start.")));
-}
-
 TEST(Visit, TI5_NothingIsTakenWithoutAKeyAndTheShutterIsHeard) {
     FakeHouse house;
     to_choose(house);
@@ -326,26 +295,6 @@ TEST(Visit, ER1_AFileThatCannotBeOpenedKeepsWhatIsFelt) {
     house.press(KeyRole::select);
     EXPECT_EQ(house.open(), VisitScreen::gallery);
     EXPECT_EQ(house.visit.visitor.felt->facts.title, title);
-}
-
-TEST(Visit, AFileThatCannotBeOpenedIsToldByItsNameAndPartsOfAPictureWithoutOne) {
-    FakeHouse house;
-    to_choose(house);
-    house.apply(StickCame{{"boat.png", "my_letter.png"}, {}});
-    ASSERT_TRUE(house.choose("Your USB stick"));
-    ASSERT_TRUE(house.choose("my letter"));
-    house.apply(PictureFailed{house.visit.site.request, "The file is damaged. Choose another."});
-    EXPECT_TRUE(house.last_said().starts_with(
-        "Something is wrong. my letter cannot be opened. The file is damaged. Choose another."))
-        << house.last_said();
-    house.press(KeyRole::select);
-    ASSERT_TRUE(house.choose("boat"));
-    house.wait(0.5);
-    ASSERT_TRUE(house.choose("Enlargement"));
-    ASSERT_TRUE(house.choose("Twice as large, around your hand"));
-    house.apply(PictureFailed{house.visit.site.request, "There is no line in this part."});
-    EXPECT_TRUE(house.last_said().starts_with("Something is wrong. There is no line in this part."))
-        << house.last_said();
 }
 
 TEST(Visit, ER1_HelpDoesNotMakeATroubleForgotten) {
