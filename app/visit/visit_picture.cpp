@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <variant>
 
 namespace touchline {
 namespace {
@@ -134,6 +135,25 @@ void tell_change(VisitWork& work, LoadReason reason) {
     }
 }
 
+/// Makes one change undone, by its kind.
+struct Undo {
+    VisitWork& work;
+
+    void operator()(const ZoomWanted& zoom) const {
+        LoadPicture wanted = work.visitor.felt->order;
+        wanted.zoom = zoom;
+        open_again(work, wanted, LoadReason::zoom);
+    }
+
+    void operator()(int detail) const { choose_detail(work, static_cast<std::size_t>(detail - 1)); }
+
+    void operator()(Mode mode) const {
+        choose_mode(work, static_cast<std::size_t>(mode));
+        focus_on(work, VisitItem::mode);
+        say_item(work);
+    }
+};
+
 }  // namespace
 
 std::string told_picture(const VisitWork& work) {
@@ -160,6 +180,25 @@ void open_again(VisitWork& work, LoadPicture wanted, LoadReason reason) {
     load(work, {wanted, reason, work.visitor.felt->facts.title});
     while (work.visitor.path.back().screen != VisitScreen::picture) leave(work);
     enter(work, VisitScreen::opening);
+}
+
+void choose_detail(VisitWork& work, std::size_t value) {
+    const int detail = static_cast<int>(value) + 1;
+    work.visitor.detail = detail;
+    const LoadPicture& felt = work.visitor.felt->order;
+    if (felt.detail == detail && !work.visitor.loading) return;
+    open_again(work, felt, LoadReason::detail);
+}
+
+void choose_mode(VisitWork& work, std::size_t value) {
+    const auto mode = static_cast<Mode>(value);
+    if (work.visitor.feel.mode == mode) return;
+    work.visitor.before = std::exchange(work.visitor.feel.mode, mode);
+}
+
+void undo(VisitWork& work) {
+    const FeltBefore before = *work.visitor.before;
+    std::visit(Undo{work}, before);
 }
 
 void open_unasked(VisitWork& work) {

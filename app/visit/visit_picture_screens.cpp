@@ -9,8 +9,6 @@
 #include <cmath>
 #include <numbers>
 #include <string>
-#include <utility>
-#include <variant>
 #include <vector>
 
 namespace touchline {
@@ -238,47 +236,8 @@ std::size_t chosen_detail(const Visitor& visitor) {
     return static_cast<std::size_t>(std::clamp(visitor.detail, 1, 5) - 1);
 }
 
-void choose_detail(VisitWork& work, std::size_t value) {
-    const int detail = static_cast<int>(value) + 1;
-    work.visitor.detail = detail;
-    const LoadPicture& felt = work.visitor.felt->order;
-    if (felt.detail == detail && !work.visitor.loading) return;
-    open_again(work, felt, LoadReason::detail);
-}
-
 std::size_t chosen_mode(const Visitor& visitor) {
     return static_cast<std::size_t>(visitor.feel.mode);
-}
-
-void choose_mode(VisitWork& work, std::size_t value) {
-    const auto mode = static_cast<Mode>(value);
-    if (work.visitor.feel.mode == mode) return;
-    work.visitor.before = std::exchange(work.visitor.feel.mode, mode);
-}
-
-/// Makes one change undone, by its kind.
-struct Undo {
-    VisitWork& work;
-
-    void operator()(const ZoomWanted& zoom) const {
-        LoadPicture wanted = work.visitor.felt->order;
-        wanted.zoom = zoom;
-        open_again(work, wanted, LoadReason::zoom);
-    }
-
-    void operator()(int detail) const { choose_detail(work, static_cast<std::size_t>(detail - 1)); }
-
-    void operator()(Mode mode) const {
-        choose_mode(work, static_cast<std::size_t>(mode));
-        focus_on(work, VisitItem::mode);
-        say_item(work);
-    }
-};
-
-/// Once more, and the change holds again.
-void undo(VisitWork& work) {
-    const FeltBefore before = *work.visitor.before;
-    std::visit(Undo{work}, before);
 }
 
 template <int change>

@@ -4,6 +4,7 @@
 
 #include "app/visit/visit.h"
 
+#include <cstddef>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -110,6 +111,14 @@ void end_visit(VisitWork& work, VisitScreen next);
 void open_picture(VisitWork& work, PictureSource source, std::size_t index,
                   const std::string& name);
 void open_again(VisitWork& work, LoadPicture wanted, LoadReason reason);
+
+// `value`: the index of its name on the screen.
+void choose_detail(VisitWork& work, std::size_t value);
+void choose_mode(VisitWork& work, std::size_t value);
+
+/// Takes the last change back (Visitor::before), and says so. Once more, and the change holds
+/// again.
+void undo(VisitWork& work);
 
 /// Opens again what is being opened, or else what is felt, in the current language and detail.
 void open_unasked(VisitWork& work);
