@@ -136,6 +136,7 @@ struct VisitRules {
     bool has_camera = true;        // whether the site has a camera at all
     bool has_stick_port = true;
     bool offers_staff = true;
+    bool invites = false;  // while nobody is here, says every so often how to begin
     std::string notice;  // while closed or under maintenance, in the site's language; may be empty
 };
 
@@ -209,7 +210,9 @@ struct Site {
     bool has_headphones = false;
     std::array<std::optional<std::string>, trouble_count> troubles;  // that last; as told, or empty
     bool is_staff_called = false;
-    std::uint64_t request = 0;  // of the last LoadPicture
+    std::uint64_t request = 0;    // of the last LoadPicture
+    double invited_s = 0.0;       // when somebody who may be near was last invited
+    std::size_t invitations = 0;  // so far
 };
 
 /// What a stick offers. The steps share it, for it may hold thousands of names.
