@@ -78,7 +78,8 @@ std::vector<KeyRole> acting_keys(const SpokenScreen& screen) {
     std::vector<KeyRole> keys;
     if (screen.takes_any_key) return keys;
     if (screen.items.size() > 1 || screen.is_turning) keys = {KeyRole::up, KeyRole::down};
-    keys.insert(keys.end(), {KeyRole::back, KeyRole::repeat});
+    keys.push_back(KeyRole::back);
+    keys.push_back(KeyRole::repeat);
     if (screen.focus) keys.push_back(KeyRole::select);
     keys.push_back(KeyRole::help);
     return keys;
