@@ -102,6 +102,7 @@ void Kiosk::follow_hours() {
     const auto now = hours_.look(now_s_, settings_);
     if (!now) return;
     tell(now->change);
+    rules_.invites = !now->is_quiet;
     if (operator_)
         sound_->set_levels(operator_->sound(), now->is_quiet ? settings_.quiet_lower_dB : 0.0);
 }

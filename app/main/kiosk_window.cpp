@@ -127,6 +127,7 @@ class KioskWindow {
         auto opened = open_window().and_then([this] { return open_kiosk(); });
         if (!opened) return opened;
         run_frames();
+        draw_end();
         if (arguments_.measure_s && !is_end_asked) measure_without_window();
         signs_.end();
         kiosk_->stop();
@@ -286,6 +287,20 @@ class KioskWindow {
         const int width = window_->width_px();
         const int height = window_->height_px();
         screen_->draw(content_of(*kiosk_, *servo_), width, height, time_ns);
+        window_->show_frame();
+    }
+
+    /// The last frame stays on a screen with nothing behind it, and must not look broken.
+    void draw_end() {
+        const Language& language = kiosk_->language();
+        ScreenContent content;
+        content.screen.title = language.text("visit", "This kiosk is closed.");
+        content.screen.text = language.text("visit", "Please come back later.");
+        content.language = language;
+        content.has_ended = true;
+        if (!make_screen())
+            return;  // its layers have no change behind them: this one shows at once
+        screen_->draw(content, width_px_, height_px_, now_ns());
         window_->show_frame();
     }
 

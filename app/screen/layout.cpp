@@ -5,13 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace touchline {
 namespace {
 
 constexpr double least_picture_px = 160.0;  // a stamp
-constexpr double sheet_caps = 16.0;         // width: a long word and the pointer
-constexpr double least_sheet_rows = 3.2;    // height: one row of text, and an item with its frame
+constexpr double least_panel_px = 240.0;
+constexpr double sheet_caps = 16.0;       // width: a long word and the pointer
+constexpr double least_sheet_rows = 3.2;  // height: one row of text, and an item with its frame
 constexpr double sheet_share_beside = 0.36;
 constexpr double sheet_share_below = 0.40;
 constexpr double band_margin = 0.5;  // of header and captions, in capitals of the normal size
@@ -48,6 +50,20 @@ Parts picture_and_sheet(const Rect& rect, const TextSizes& sizes) {
     const bool is_beside = usefulness(beside.first) >= usefulness(above.first);
     const Parts& better = is_beside ? beside : above;
     return usefulness(better.first) > 0.0 ? better : Parts{{}, rect};
+}
+
+void add_panel(Arrangement& arrangement) {
+    Rect& halved = arrangement.picture.width > 0.0 ? arrangement.picture : arrangement.sheet;
+    const bool is_wide = halved.width >= halved.height;
+    const Parts halves = is_wide ? split_across(halved, std::round(halved.width / 2.0))
+                                 : split_down(halved, std::round(halved.height / 2.0));
+    const bool is_small = std::min(halves.first.width, halves.first.height) < least_panel_px;
+    if (is_small && arrangement.picture.width > 0.0) {
+        arrangement.panel = std::exchange(arrangement.picture, {});
+        return;
+    }
+    arrangement.panel = halves.first;
+    halved = halves.second;
 }
 
 }  // namespace
@@ -105,13 +121,7 @@ Arrangement arrange(int width_px, int height_px, const TextSizes& sizes, const B
         arrangement.picture = parts.first;
         arrangement.sheet = parts.second;
     }
-    if (!beside.has_panel) return arrangement;
-    Rect& halved = arrangement.picture.width > 0.0 ? arrangement.picture : arrangement.sheet;
-    const Parts halves = halved.width >= halved.height
-                             ? split_across(halved, std::round(halved.width / 2.0))
-                             : split_down(halved, std::round(halved.height / 2.0));
-    arrangement.panel = halves.first;
-    halved = halves.second;
+    if (beside.has_panel) add_panel(arrangement);
     return arrangement;
 }
 

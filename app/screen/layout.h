@@ -81,7 +81,7 @@ struct Arrangement {
 
 /// Covers the screen without gap or overlap; edges lie on whole pixels. The sheet first gets what
 /// its letters need; a picture smaller than a stamp is left out. A panel takes half of what the
-/// picture has, else half of the sheet.
+/// picture has, or all of it on a small screen; without a picture, half of the sheet.
 [[nodiscard]] Arrangement arrange(int width_px, int height_px, const TextSizes& sizes,
                                   const Beside& beside);
 

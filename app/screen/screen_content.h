@@ -46,6 +46,7 @@ struct ScreenContent {
     SwitchUse switches = SwitchUse::none;   // instead of the keys
     std::vector<LineDrawingPtr> pictures;   // of each item, null where it has none; may be empty
     std::optional<LiveContent> live;        // the staff's view, beside all else
+    bool has_ended = false;                 // no key does anything any more
 };
 
 }  // namespace touchline

@@ -181,10 +181,9 @@ std::size_t ScreenLayers::caption_page_now(std::int64_t now_ns) const {
 
 void ScreenLayers::paint_caption_layer() {
     renew(captions_, arrangement_.captions);
-    paint_captions(captions_.canvas.context(), caption_layout_,
-                   {caption_page_, shown_.sound_sign,
-                    legend_of(shown_.screen, shown_.switches, shown_.language)},
-                   palette_of(shown_.palette));
+    CaptionFace face{caption_page_, shown_.sound_sign, {}};
+    if (!shown_.has_ended) face.keys = legend_of(shown_.screen, shown_.switches, shown_.language);
+    paint_captions(captions_.canvas.context(), caption_layout_, face, palette_of(shown_.palette));
 }
 
 void ScreenLayers::update_preview(const ScreenContent& content, std::int64_t now_ns) {

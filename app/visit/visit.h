@@ -137,6 +137,7 @@ struct VisitRules {
     bool has_camera = true;        // whether the site has a camera at all
     bool has_stick_port = true;
     bool offers_staff = true;
+    bool invites = false;  // while nobody is here, says every so often how to begin
     std::string notice;  // while closed or under maintenance, in the site's language; may be empty
 };
 
@@ -224,6 +225,8 @@ struct Site {
     bool is_staff_called = false;
     std::shared_ptr<const StickList> given;  // offered in a stick's place while there is none
     std::uint64_t request = 0;               // of the last LoadPicture
+    double invited_s = 0.0;                  // when somebody who may be near was last invited
+    std::size_t invitations = 0;             // so far
 };
 
 /// A hint that this visitor has heard.

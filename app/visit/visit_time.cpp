@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace touchline {
 namespace {
@@ -22,7 +23,8 @@ constexpr double practice_s = 60.0;
 constexpr double quit_asked_s = 30.0;     // then no visitor can answer it
 constexpr double longest_lead_s = 300.0;  // longer leading no longer counts as presence
 constexpr double dwell_s = 0.4;
-constexpr double quick_m_per_s = 0.08;  // no part is named while the hand is faster
+constexpr double invite_every_s = 11.0;  // who comes near hears it within twelve
+constexpr double quick_m_per_s = 0.08;   // no part is named while the hand is faster
 constexpr double attention_every_s = 5.0;
 
 void ask(VisitWork& work) {
@@ -212,6 +214,19 @@ void forget_to_quit(VisitWork& work) {
     if (!is_on) visitor.over.reset();
 }
 
+/// Says what this is and how to begin, in one language after the other.
+void invite(VisitWork& work) {
+    Site& site = work.site;
+    if (!work.world.rules.invites || open_screen(work) != VisitScreen::attract) return;
+    if (site.now_s - site.invited_s < invite_every_s) return;
+    site.invited_s = site.now_s;
+    const std::vector<Language>& languages = work.world.languages;
+    const Language& language = languages[site.invitations++ % languages.size()];
+    std::string text = language.text("visit", "Pictures to feel");
+    add_sentence(text, language.text("visit", "Hold the handle, or press any key."));
+    say_in(work, language, text, SpeechPriority::hint);
+}
+
 }  // namespace
 
 void take(VisitWork& work, const Tick& tick) {
@@ -224,7 +239,7 @@ void take(VisitWork& work, const Tick& tick) {
         nobody_is_here(work);
     }
     forget_to_quit(work);
-    if (!is_visit_on(visit_of(work))) return;
+    if (!is_visit_on(visit_of(work))) return invite(work);
     begin_leading(work);
     tell_progress(work);
     give_hint(work);

@@ -9,8 +9,8 @@
 
 namespace touchline {
 
-inline constexpr int golden_columns = 6;
-inline constexpr int golden_width_px = 256;  // of each screen on the sheet
+inline constexpr int golden_columns = 12;
+inline constexpr int golden_width_px = 128;  // of each screen on the sheet
 
 struct GoldenLook {
     TextSize size = TextSize::normal;

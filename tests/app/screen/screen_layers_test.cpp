@@ -165,6 +165,19 @@ TEST(ScreenPixels, ASoundHasAShapeAndWords) {
     EXPECT_GT(first(sounding), band.y);
 }
 
+TEST(ScreenPixels, KeysStandThereWhileTheyDoSomething) {
+    const auto has_keys = [](const ScreenContent& content) {
+        const TextSizes sizes = text_sizes({}, usual_cap_px, screen_width, screen_height);
+        const Rect band = arrange(screen_width, screen_height, sizes, {}).captions;
+        const Rect below_the_rim{0.0, band.y + 4.0, 300.0, band.height - 4.0};
+        return rows_with(drawn(content), below_the_rim, white_on_black.text).first >= 0;
+    };
+    ScreenContent content = list_content();
+    EXPECT_TRUE(has_keys(content));
+    content.has_ended = true;
+    EXPECT_FALSE(has_keys(content));
+}
+
 bool is_same_everywhere(const Canvas& a, const Canvas& b) {
     for (int y = 0; y < screen_height; ++y)
         for (int x = 0; x < screen_width; ++x)

@@ -1,0 +1,45 @@
+#include "app/kiosk/attract.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+TactileMap circle_of(double radius_m) {
+    TactileMap map;
+    Outline& circle = map.outlines.emplace_back();
+    circle.is_closed = true;
+    for (int i = 0; i < 360; ++i) {
+        const double angle_rad = std::numbers::pi * i / 180.0;
+        circle.points.push_back({radius_m * std::cos(angle_rad), radius_m * std::sin(angle_rad)});
+    }
+    return map;
+}
+
+TEST(Attract, AHandFollowsTheLineRoundAndRound) {
+    const auto shown = attract_scene(circle_of(0.03));
+    ASSERT_TRUE(shown.has_value());
+    Position last = attract_hand(*shown->scene, 0.0).p_WP;
+    double way_m = 0.0;
+    for (int frame = 1; frame <= 60 * 20; ++frame) {
+        const HandState hand = attract_hand(*shown->scene, frame / 60.0);
+        EXPECT_NEAR(norm(hand.p_WP), 0.03, 1e-4);
+        EXPECT_NEAR(norm(hand.p_WH - hand.p_WP), 0.001, 1e-6);
+        EXPECT_LT(norm(hand.p_WP - last), 0.001);  // it never jumps
+        way_m += norm(hand.p_WP - last);
+        last = hand.p_WP;
+    }
+    EXPECT_GT(way_m, 2.0 * std::numbers::pi * 0.03);
+}
+
+TEST(Attract, WithoutALineTheHandRests) {
+    const auto shown = attract_scene({});
+    if (!shown) return;  // an empty map is no scene
+    EXPECT_EQ(attract_hand(*shown->scene, 1.0).p_WP, Position{});
+}
+
+}  // namespace
+}  // namespace touchline

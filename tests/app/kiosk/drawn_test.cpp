@@ -1,0 +1,59 @@
+// What the kiosk gives to the screen to draw.
+#include "tests/app/kiosk/kiosk_world.h"
+
+#include <algorithm>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+/// Goes down to the item of this name and takes it.
+void take_item(KioskWorld& world, const std::string& name) {
+    for (std::size_t i = 0; i < 20; ++i) {
+        const SpokenScreen screen = world.kiosk().screen();
+        if (screen.focus && screen.items[*screen.focus].name == name) break;
+        world.press(KeyRole::down);
+    }
+    world.press(KeyRole::select);
+}
+
+TEST(Drawn, AHandFeelsAPictureWhileNobodyIsHereAndNoLonger) {
+    KioskWorld world;
+    world.run(0.1);
+    const DrawnPicture before = world.kiosk().drawn();
+    ASSERT_NE(before.shown.scene, nullptr);
+    world.run(1.0);
+    EXPECT_GT(norm(world.kiosk().drawn().hand.p_WP - before.hand.p_WP), 0.005);
+    world.press(KeyRole::select);
+    EXPECT_EQ(world.kiosk().drawn().shown.scene, nullptr);
+}
+
+TEST(Drawn, EachPictureOfTheGalleryHasItsLines) {
+    KioskWorld world;
+    world.run(0.1);
+    world.press(KeyRole::select);
+    EXPECT_TRUE(world.kiosk().pictures_of(world.kiosk().screen()).empty());
+    take_item(world, "English");
+    take_item(world, "Gallery");
+    const auto pictures = world.kiosk().pictures_of(world.kiosk().screen());
+    EXPECT_GE(std::ranges::count_if(pictures, [](const auto& lines) { return lines != nullptr; }),
+              5);
+    EXPECT_EQ(pictures.back(), nullptr);  // the way back
+}
+
+TEST(Drawn, TheLiveViewTellsTheTitleOfWhatIsFelt) {
+    KioskWorld world;
+    world.run(0.1);
+    world.press(KeyRole::select);
+    take_item(world, "English");
+    take_item(world, "Practice shape");
+    world.run(3.0);
+    ASSERT_TRUE(world.kiosk().visit().visitor.felt);
+    EXPECT_EQ(world.kiosk().live_facts().title, world.kiosk().visit().visitor.felt->facts.title);
+    EXPECT_FALSE(world.kiosk().live_facts().title.empty());
+}
+
+}  // namespace
+}  // namespace touchline
