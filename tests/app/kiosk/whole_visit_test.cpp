@@ -147,7 +147,8 @@ TEST(WholeVisit, InEveryLanguage) {
 
 /// The title of a picture that ships with the kiosk.
 std::string title_of(const std::string& ending, const Language& language) {
-    for (const GalleryEntry& entry : list_gallery(pictures, {language.code()}).value())
+    const std::vector<GalleryEntry> entries = list_gallery(pictures, {language.code()}).value();
+    for (const GalleryEntry& entry : entries)
         if (entry.path.ends_with(ending)) return entry.title;
     return {};
 }

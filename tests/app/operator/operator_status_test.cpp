@@ -90,7 +90,8 @@ TEST(Health, TroublesAreSaidInEveryLanguage) {
     health.networks = {1, true};
     const auto english = health_lines(health, Language());
     ASSERT_EQ(std::ranges::count(english, Urgency::trouble, &HealthLine::urgency), 5);
-    for (const std::string& code : languages_in(TOUCHLINE_CATALOGUES).value()) {
+    const std::vector<std::string> codes = languages_in(TOUCHLINE_CATALOGUES).value();
+    for (const std::string& code : codes) {
         if (code == "en") continue;
         const auto lines = health_lines(health, Language::load(TOUCHLINE_CATALOGUES, code).value());
         for (std::size_t i = 0; i < 5; ++i) EXPECT_NE(lines[i].name, english[i].name) << code;
