@@ -34,12 +34,16 @@ void go_back(StagedKiosk& kiosk, int screens = 1) {
     }
 }
 
-/// One of the easiest, which are the first part of the list.
-void open_picture_of_gallery(StagedKiosk& kiosk, std::size_t place) {
-    kiosk.choose(VisitItem::gallery);
+/// One of the easiest, which are the first part of the gallery's list; the list is open.
+void open_easy_picture(StagedKiosk& kiosk, std::size_t place) {
     kiosk.choose(row(0));
     kiosk.choose(kiosk.screen().items.at(place).id);
     kiosk.wait_for(VisitScreen::picture);
+}
+
+void open_picture_of_gallery(StagedKiosk& kiosk, std::size_t place) {
+    kiosk.choose(VisitItem::gallery);
+    open_easy_picture(kiosk, place);
 }
 
 void first_visit(StagedKiosk& kiosk) {
@@ -63,7 +67,7 @@ void first_visit(StagedKiosk& kiosk) {
     kiosk.choose(VisitItem::lead_round);
     kiosk.do_nothing(15.0);
     kiosk.choose(VisitItem::back);
-    open_picture_of_gallery(kiosk, 2);
+    open_easy_picture(kiosk, 2);
     kiosk.follow_a_line(8.0);
     kiosk.listen();
     kiosk.choose(VisitItem::parts);
@@ -229,10 +233,7 @@ void time_out(StagedKiosk& kiosk) {
 /// Enters the digits 1, 1, 1, 1.
 void enter_pin(StagedKiosk& kiosk) {
     for (int i = 0; i < 4; ++i)
-        for (const KeyRole role : {KeyRole::up, KeyRole::select}) {
-            kiosk.press(role);
-            kiosk.hear_one_thing();
-        }
+        for (const KeyRole role : {KeyRole::up, KeyRole::select}) kiosk.press_quickly(role);
     kiosk.press(KeyRole::select);
     kiosk.listen();
 }
