@@ -81,15 +81,13 @@ bool BlindVisitor::choose_picture(const std::string& name) {
     const std::size_t count = world_.kiosk().screen().items.size();
     for (std::size_t i = 0; i < count; ++i) {
         press(KeyRole::down);
-        if (names(heard(), name)) {
-            press(KeyRole::select);
-            return true;
-        }
         const SpokenScreen now = world_.kiosk().screen();
         const std::string& place = now.items[*now.focus].place;
-        if (place.empty() || place.starts_with(of_picture)) continue;
+        const bool is_picture = place.starts_with(of_picture);
+        const bool is_way_out = place.empty();
+        if (is_way_out || (is_picture && !names(heard(), name))) continue;
         press(KeyRole::select);
-        if (choose_picture(name)) return true;
+        if (is_picture || choose_picture(name)) return true;
         press(KeyRole::back);
     }
     return false;

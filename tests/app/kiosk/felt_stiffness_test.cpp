@@ -10,7 +10,8 @@
 namespace touchline {
 namespace {
 
-constexpr double tolerance = 0.02;  // share of a stiffness; what the encoders' steps leave
+constexpr double tolerance = 0.02;       // share of a stiffness; what the encoders' steps leave
+constexpr double late_tolerance = 0.03;  // the same on a loop that hears of the hand 3 ms late
 constexpr double tick_s = 0.001;
 
 // In "A house": a corridor between the right window and the right wall, which is at x = 38 mm.
@@ -119,12 +120,12 @@ TEST(FeltStiffness, IsWhatTheLoopAllowsAndTheScreenSaysSo) {
                   "Firmness, 550 newtons per metre set, 440 possible on this loop, setting"),
               std::string::npos)
         << staff.heard();
-    EXPECT_NEAR(felt_N_per_m(world), most_N_per_m, tolerance * most_N_per_m);
+    EXPECT_NEAR(felt_N_per_m(world), most_N_per_m, late_tolerance * most_N_per_m);
     for (int i = 0; i < 3; ++i) staff.press(KeyRole::down);
     EXPECT_NE(staff.heard().find("Firmness, 400 newtons per metre, setting"), std::string::npos)
         << staff.heard();
     wait_for_ramp(world);
-    EXPECT_NEAR(felt_N_per_m(world), 400.0, tolerance * 400.0);
+    EXPECT_NEAR(felt_N_per_m(world), 400.0, late_tolerance * 400.0);
 }
 
 /// Without real-time priority a device gets half of what is set.

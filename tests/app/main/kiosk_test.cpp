@@ -28,8 +28,8 @@ class Kiosk : public testing::Test {
     void TearDown() override { fs::remove_all(folder_); }
 
     /// Runs a script and returns its exit status. In it, `kiosk ARGUMENTS` starts the program,
-    /// `keys KEY ...` presses keys in its window, `wait_for PATTERN FILE` waits for words, and
-    /// `finish` ends with the program's status.
+    /// `keys KEY ...` presses keys in its window, `wait_for PATTERN FILE` waits for words, `quit`
+    /// asks to quit and says yes, and `finish` ends with the program's status.
     int run_script(const std::string& script, bool has_display = true) {
         const fs::path path = folder_ / "script.sh";
         std::ofstream(path) << "cd '" << folder_.string() << "'\n" << tools << script << '\n';
@@ -74,22 +74,23 @@ kiosk() { "$program" "$@" >out.txt 2>err.txt & pid=$!; }
 keys() { timeout 100 xdotool search --sync --name '^Touchline$' key --delay 150 "$@" >/dev/null 2>&1; }
 wait_for() { for _ in $(seq 1000); do grep -q "$1" "$2" && return; sleep 0.1; done; }
 finish() { wait "$pid"; exit $?; }
+quit() { keys q Down Return; finish; }
 )";
 };
 
 TEST_F(Kiosk, QuitsOnItsKey) {
-    EXPECT_EQ(run_script("kiosk; keys q; finish"), 0);
+    EXPECT_EQ(run_script("kiosk; quit"), 0);
     EXPECT_EQ(complaints(), "");
 }
 
 TEST_F(Kiosk, RunsInAWindowToo) {
-    EXPECT_EQ(run_script("kiosk --window; keys q; finish"), 0);
+    EXPECT_EQ(run_script("kiosk --window; quit"), 0);
 }
 
 TEST_F(Kiosk, EveryKeyLeavesItRunning) {
     EXPECT_EQ(run_script("kiosk; keys Return Return Down Up Right Left h h h Return Return v b b v;"
                          "keys a a z z comma period minus equal c o F16 F15 t 5;"
-                         "kill -0 $pid || exit 9; keys q; finish"),
+                         "kill -0 $pid || exit 9; quit"),
               0);
     EXPECT_EQ(complaints(), "");
 }
@@ -115,7 +116,7 @@ TEST_F(Kiosk, IsHeard) {
             "export SDL_AUDIODRIVER=disk SDL_DISKAUDIOFILE=heard.raw; kiosk; keys Return Return;"
             "for _ in $(seq 1000); do [ -e heard.raw ] && "
             "[ $(tr -d '\\0' <heard.raw | wc -c) -gt 300000 ] && break; sleep 0.1; done;"
-            "[ $(tr -d '\\0' <heard.raw | wc -c) -gt 300000 ] || exit 9; keys q; finish"),
+            "[ $(tr -d '\\0' <heard.raw | wc -c) -gt 300000 ] || exit 9; quit"),
         0);
 }
 
@@ -123,13 +124,13 @@ TEST_F(Kiosk, WithoutAnySoundItGoesOnAndSaysSoOnce) {
     EXPECT_EQ(
         run_script("export SDL_AUDIODRIVER=none; kiosk; keys Return Return Down;"
                    "wait_for 'no sound' err.txt; keys Up Down; kill -0 $pid || exit 9;"
-                   "[ $(grep -c 'there is no sound: ' err.txt) = 1 ] || exit 8; keys q; finish"),
+                   "[ $(grep -c 'there is no sound: ' err.txt) = 1 ] || exit 8; quit"),
         0);
     EXPECT_EQ(complaints(), "");
 }
 
 TEST_F(Kiosk, WithoutAPantographItSaysSoOnce) {
-    EXPECT_EQ(run_script("kiosk; wait_for pantograph err.txt; keys b; keys q; finish"), 0);
+    EXPECT_EQ(run_script("kiosk; wait_for pantograph err.txt; keys b; quit"), 0);
     const std::string words = text_of("err.txt");
     const std::size_t first = words.find("touchline: there is no pantograph: ");
     EXPECT_NE(first, std::string::npos) << words;
@@ -138,7 +139,7 @@ TEST_F(Kiosk, WithoutAPantographItSaysSoOnce) {
 
 TEST_F(Kiosk, BadLevelsAreOneLineAndTheDefaultsCount) {
     EXPECT_EQ(run_script("echo '[headset]' >loud.toml; echo 'cap_dB = 130' >>loud.toml;"
-                         "export TOUCHLINE_SOUND=loud.toml; kiosk; keys b; keys q; finish"),
+                         "export TOUCHLINE_SOUND=loud.toml; kiosk; keys b; quit"),
               0);
     EXPECT_EQ(complaints(),
               "touchline: loud.toml:2: 'cap_dB' must be a number from 60 to 105, in dB\n");
@@ -146,7 +147,7 @@ TEST_F(Kiosk, BadLevelsAreOneLineAndTheDefaultsCount) {
 
 TEST_F(Kiosk, LeavesNoCoreDump) {
     EXPECT_EQ(run_script("kiosk; keys b; grep -qE 'Max core file size +0 +0 ' /proc/$pid/limits ||"
-                         " exit 9; keys q; finish"),
+                         " exit 9; quit"),
               0);
 }
 
@@ -169,7 +170,7 @@ TEST_F(Kiosk, ABadPictureIsOneLineAndTheSessionGoesOn) {
         run_script("echo 'not a picture' >bad.png; kiosk bad.png; keys b; sleep 1; keys Return "
                    "Return Down Down "
                    "Return Return;"
-                   "wait_for bad err.txt; keys Return; kill -0 $pid || exit 9; keys q; finish"),
+                   "wait_for bad err.txt; keys Return; kill -0 $pid || exit 9; quit"),
         0);
     const std::string words = complaints();
     EXPECT_NE(words.find("bad.png"), std::string::npos);
@@ -188,7 +189,7 @@ TEST_F(Kiosk, WithoutABusIsOneLine) {
 
 TEST_F(Kiosk, SettingsAreReadAndAWrongFileIsOneLineWhileItRuns) {
     EXPECT_EQ(run_script("kiosk; keys b; printf '[feel]\\nfriction = 7\\n' >kiosk.toml;"
-                         "wait_for friction err.txt; kill -0 $pid || exit 9; keys q; finish"),
+                         "wait_for friction err.txt; kill -0 $pid || exit 9; quit"),
               0);
     const std::string words = complaints();
     EXPECT_NE(words.find("kiosk.toml:2: 'feel.friction' must be a number from 0 to 1; the "
@@ -206,7 +207,7 @@ TEST_F(Kiosk, GoesThroughThePagesOfADocument) {
                    "rsvg-convert -f pdf -o book.pdf page.svg page.svg page.svg &&"
                    "kiosk book.pdf; keys b; sleep 1; keys Return Return Down Down Return Return;"
                    "sleep 2; keys Up Up Return Return Down Return;"
-                   "kill -0 $pid || exit 9; keys q; finish"),
+                   "kill -0 $pid || exit 9; quit"),
         0);
     EXPECT_EQ(complaints(), "");
 }
@@ -215,7 +216,7 @@ TEST_F(Kiosk, DrawsTheOutlinesOnTheScreen) {
     ASSERT_EQ(run_script("kiosk; keys Return Return Return; for _ in $(seq 100); do "
                          "import -window root screen.png; convert screen.png -fill black +opaque "
                          "'#FFD400' -format '%[fx:mean]' info: >yellow.txt; "
-                         "grep -qE '[1-9]' yellow.txt && break; sleep 0.5; done; keys q; finish"),
+                         "grep -qE '[1-9]' yellow.txt && break; sleep 0.5; done; quit"),
               0);
     EXPECT_GT(std::stod(text_of("yellow.txt")), 1e-4);
 }

@@ -28,11 +28,11 @@ def feel_a_picture(kiosk):
 
 
 def quit_by_key(kiosk):
-    """It still answers: the staff's key ends it by itself."""
+    """It still answers: the staff's key and a yes end it."""
     kiosk.is_wanted = False
 
     def has_ended():
-        kiosk.press('q')
+        kiosk.press('q', 'Down', 'Return')
         return kiosk.process.poll() is not None
     wait_for('the end by its key', has_ended, every_s=0.2)
     return kiosk.end()[0]
