@@ -180,7 +180,7 @@ TEST_F(Kiosk, ABadPictureIsOneLineAndTheSessionGoesOn) {
 TEST_F(Kiosk, WithoutABusIsOneLine) {
     std::ofstream(folder_ / "kiosk.toml") << "[stick]\nwatched_folder = ''\n";
     EXPECT_EQ(run_script("export DBUS_SYSTEM_BUS_ADDRESS=unix:path=/nowhere/bus; kiosk;"
-                         "wait_for sticks err.txt; keys Down q; finish"),
+                         "wait_for sticks err.txt; keys Down; quit"),
               0);
     const std::string words = complaints();
     EXPECT_NE(words.find("sticks are not offered"), std::string::npos) << words;
