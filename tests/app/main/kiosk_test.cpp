@@ -121,11 +121,10 @@ TEST_F(Kiosk, IsHeard) {
 }
 
 TEST_F(Kiosk, WithoutAnySoundItGoesOnAndSaysSoOnce) {
-    EXPECT_EQ(
-        run_script("export SDL_AUDIODRIVER=none; kiosk; keys Return Return Down;"
-                   "wait_for 'no sound' err.txt; keys Up Down; kill -0 $pid || exit 9;"
-                   "[ $(grep -c 'there is no sound: ' err.txt) = 1 ] || exit 8; quit"),
-        0);
+    EXPECT_EQ(run_script("export SDL_AUDIODRIVER=none; kiosk; keys Return Return Down;"
+                         "wait_for 'no sound' err.txt; keys Up Down; kill -0 $pid || exit 9;"
+                         "[ $(grep -c 'there is no sound: ' err.txt) = 1 ] || exit 8; quit"),
+              0);
     EXPECT_EQ(complaints(), "");
 }
 
