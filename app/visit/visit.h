@@ -156,6 +156,11 @@ struct VisitWorld {
     return world.settings.two_switches == SwitchUse::none;
 }
 
+/// True with a single switch: the visitor can only wait for an item and select it.
+[[nodiscard]] inline bool moves_by_itself(const VisitWorld& world) {
+    return world.settings.two_switches == SwitchUse::by_itself;
+}
+
 /// The picture that is felt.
 struct KnownPicture {
     LoadPicture order;  // the order that brought it

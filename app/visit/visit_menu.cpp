@@ -11,9 +11,10 @@ constexpr const char* only_hint = "Press Select to choose this.";
 constexpr const char* change_hint = "Press Select to change it.";
 constexpr const char* switch_hint = "Press Select to choose this, or move on.";
 
-/// Two switches have no Up and Down.
+/// Switches have no Up and Down, and a single one cannot move on.
 const char* hint_of_choice(const VisitWorld& world) {
-    return has_keys(world) ? choice_hint : switch_hint;
+    if (has_keys(world)) return choice_hint;
+    return moves_by_itself(world) ? only_hint : switch_hint;
 }
 
 std::array<VisitMenu, 4> menus() {

@@ -13,9 +13,9 @@ namespace {
 
 void write_language(VisitSheet& sheet) {
     if (!has_keys(sheet.world)) {
-        const bool is_one = sheet.world.settings.two_switches == SwitchUse::by_itself;
-        sheet.sentence(is_one ? "It moves on by itself; your switch is Select."
-                              : "One switch moves on, the other is Select.");
+        sheet.sentence(moves_by_itself(sheet.world)
+                           ? "It moves on by itself; your switch is Select."
+                           : "One switch moves on, the other is Select.");
         sheet.sentence("After the last item come Repeat, Back and Help.");
     } else {
         sheet.sentence("Choose your language with Up, Down and Select.");
@@ -198,7 +198,8 @@ void write_closed(VisitSheet& sheet) {
 void write_help(VisitSheet& sheet) {
     const bool offers_staff = sheet.world.rules.offers_staff;
     if (!has_keys(sheet.world)) {
-        sheet.sentence("Move on to Repeat, Back or Help.");
+        sheet.sentence(moves_by_itself(sheet.world) ? "Repeat, Back and Help come by themselves."
+                                                    : "Move on to Repeat, Back or Help.");
         sheet.sentence("Press Select to hear its use.");
         sheet.sentence("Choose Back twice to leave.");
         if (offers_staff) sheet.sentence("Choose Help again to call the staff.");
@@ -314,7 +315,12 @@ constexpr auto main_items = std::to_array<VisitItemRow>({
      [](const VisitSheet& sheet) { return can_call_staff(sheet) && has_keys(sheet.world); }},
     {S::trouble, I::go_on, "Go on", go_on,
      "Move on to call staff. Or press Select to go on without force.",
-     [](const VisitSheet& sheet) { return can_call_staff(sheet) && !has_keys(sheet.world); }},
+     [](const VisitSheet& sheet) {
+         return can_call_staff(sheet) && !has_keys(sheet.world) && !moves_by_itself(sheet.world);
+     }},
+    {S::trouble, I::go_on, "Go on", go_on,
+     "Call staff comes next. Or press Select to go on without force.",
+     [](const VisitSheet& sheet) { return can_call_staff(sheet) && moves_by_itself(sheet.world); }},
     {S::trouble, I::call_staff, "Call staff", call_staff, nullptr, can_call_staff},
 });
 

@@ -89,10 +89,15 @@ void tell_progress(VisitWork& work) {
     say(work, text, SpeechPriority::hint);
 }
 
+const char* way_to_language(const VisitWorld& world) {
+    if (has_keys(world)) return "{0}: Down until you hear it, then Select.";
+    return moves_by_itself(world) ? "{0}: wait until you hear it, then press."
+                                  : "{0}: move on until you hear it, then select.";
+}
+
 /// Says each language in itself, except the one in which everything was said already.
 void say_languages(VisitWork& work) {
-    const std::string how = has_keys(work.world) ? "{0}: Down until you hear it, then Select."
-                                                 : "{0}: move on until you hear it, then select.";
+    const std::string how = way_to_language(work.world);
     for (const Language& language : work.world.languages) {
         if (&language == &language_of(work)) continue;
         say_in(work, language, language.text("visit", how, {language.name()}),

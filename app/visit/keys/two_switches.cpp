@@ -2,6 +2,7 @@
 
 #include "app/visit/keys/key_wizard.h"
 
+#include <algorithm>
 #include <array>
 
 namespace touchline {
@@ -27,21 +28,27 @@ SwitchStep round_again(SwitchScan scan, const SpokenScreen& screen, const Langua
     return {scan, KeyRole::down, ""};
 }
 
-SwitchStep moved(const SwitchScan& scan, const SpokenScreen& screen, const Language& language) {
-    if (!scan.role) {
-        if (is_at_last_item(screen)) return onto_role(scan, roles_after_items.front(), language);
-        return {scan, KeyRole::down, ""};
-    }
-    for (std::size_t i = 0; i + 1 < roles_after_items.size(); ++i)
-        if (*scan.role == roles_after_items[i])
-            return onto_role(scan, roles_after_items[i + 1], language);
-    return round_again(scan, screen, language);
+/// An item of that name, which is always the last one, sounds like the key and does the same.
+bool has_item_back(const SpokenScreen& screen, const Language& language) {
+    return !screen.items.empty() &&
+           screen.items.back().name == role_in_words(KeyRole::back, language);
 }
 
-/// The choice stays under the switch, because it may be wanted again.
+SwitchStep moved(const SwitchScan& scan, const SpokenScreen& screen, const Language& language) {
+    if (!scan.role && !is_at_last_item(screen)) return {scan, KeyRole::down, ""};
+    const auto* next = roles_after_items.begin();
+    if (scan.role) next = std::ranges::find(roles_after_items, *scan.role) + 1;
+    if (next == roles_after_items.end()) return round_again(scan, screen, language);
+    if (*next == KeyRole::back && has_item_back(screen, language)) ++next;
+    return onto_role(scan, *next, language);
+}
+
+/// Whatever the role does, the item that has the focus is heard last, so the next press is for it.
+/// Without items the role stays, because it may be wanted again.
 SwitchStep selected(SwitchScan scan, const SpokenScreen& screen) {
-    const bool is_on_items = !scan.role && !screen.items.empty();
-    const KeyRole role = scan.role.value_or(is_on_items ? KeyRole::select : KeyRole::repeat);
+    const KeyRole on_items = screen.items.empty() ? KeyRole::repeat : KeyRole::select;
+    const KeyRole role = scan.role.value_or(on_items);
+    if (!screen.items.empty()) scan.role.reset();
     return {scan, role, ""};
 }
 

@@ -1,6 +1,6 @@
 // Operates every screen with two switches, one to move and one to select, or with one if moving
 // goes by itself (accessibility IN-9). After the items of a screen come Repeat, Back and Help as
-// items.
+// items; Back does not if the last item is called so too.
 // Threads: values and pure functions.
 #pragma once
 

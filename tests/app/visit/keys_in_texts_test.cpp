@@ -2,6 +2,7 @@
 // keyboard.
 #include "app/operator/operator_menu.h"
 #include "app/visit/keys.h"
+#include "app/visit/keys/key_wizard.h"
 #include "app/visit/keys/two_switches.h"
 #include "app/visit/told_lines.h"
 #include "tests/app/visit/visit_scenes.h"
@@ -83,6 +84,9 @@ std::set<KeyRole> reached_by_switches(const SpokenScreen& screen, const Language
         if (moved.press == KeyRole::down && at.focus) at.focus = move_focus(at, true)->focus;
         scan = moved.scan;
         const SwitchStep taken = step_switches(scan, SwitchEvent::select, at, 0.0, 0.0, language);
+        const bool is_item = taken.press == KeyRole::select && at.focus;
+        if (is_item && at.items[*at.focus].name == role_in_words(KeyRole::back, language))
+            reached.insert(KeyRole::back);
         if (taken.press) reached.insert(*taken.press);
     }
     return reached;

@@ -212,10 +212,28 @@ TEST(Visit, WithTwoSwitchesNobodyIsToldOfKeysThatAreNotThere) {
     house.apply(TroubleBegan{TroubleKind::device, ""});
     EXPECT_TRUE(house.last_said().ends_with(
         "Move on to call staff. Or press Select to go on without force."));
-    FakeHouse one;
-    one.settings.two_switches = SwitchUse::by_itself;
-    one.press(KeyRole::select);
-    EXPECT_TRUE(one.has_said("It moves on by itself; your switch is Select.", 0));
+}
+
+TEST(Visit, WithOneSwitchNobodyIsToldToMoveOn) {
+    FakeHouse house;
+    house.settings.two_switches = SwitchUse::by_itself;
+    house.press(KeyRole::select);
+    EXPECT_TRUE(house.has_said("It moves on by itself; your switch is Select.", 0));
+    house.wait(3.0);
+    EXPECT_TRUE(house.has_said("warten, bis Sie es hören, dann drücken.", 0));
+    house.press(KeyRole::select);
+    house.wait(3.0);
+    house.press({KeyRole::up, KeyRole::up});
+    ASSERT_TRUE(house.last_said().starts_with("Call staff"));
+    house.wait(3.0);
+    EXPECT_EQ(house.last_said(), "Press Select to choose this.");
+    house.press(KeyRole::help);
+    EXPECT_TRUE(house.has_said("Repeat, Back and Help come by themselves.", 0));
+    house.press({KeyRole::back, KeyRole::back});
+    house.apply(TroubleBegan{TroubleKind::device, ""});
+    EXPECT_TRUE(house.last_said().ends_with(
+        "Call staff comes next. Or press Select to go on without force."));
+    EXPECT_FALSE(house.has_said("ove on ", 0));
 }
 
 TEST(Visit, WhoTurnsSpeechOffHearsHowItComesBack) {

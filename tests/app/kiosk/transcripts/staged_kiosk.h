@@ -75,7 +75,7 @@ class StagedKiosk : private Pinned {
     void choose_when_it_comes(int id);
 
     /// With two switches: moves on to the item of this key, which comes after those of the screen,
-    /// and selects it.
+    /// and selects it. Not for Back or Help where the last item is called Back.
     void choose_key(KeyRole role);
 
     /// Waits until this screen of the visit is open, then calls listen().

@@ -289,10 +289,7 @@ void two_switches(StagedKiosk& kiosk) {
     kiosk.press(KeyRole::select);
     kiosk.listen();
     kiosk.choose_key(KeyRole::repeat);
-    for (const KeyRole role : {KeyRole::down, KeyRole::select}) {  // Back comes after Repeat
-        kiosk.press(role);
-        kiosk.listen();
-    }
+    kiosk.choose(VisitItem::back);
     kiosk.choose_key(KeyRole::help);
     for (const KeyRole role :
          {KeyRole::down, KeyRole::down, KeyRole::select, KeyRole::select}) {  // Back, twice
@@ -308,8 +305,9 @@ void one_switch(StagedKiosk& kiosk) {
         kiosk.choose_when_it_comes(static_cast<int>(item));
     };
     kiosk.press(KeyRole::select);
-    kiosk.hear_one_thing();
-    kiosk.choose_when_it_comes(row(0));
+    const SpokenScreen languages = kiosk.screen();
+    kiosk.do_nothing(30.0);  // hears how to find each language, and lets the own one pass
+    kiosk.choose_when_it_comes(languages.items.at(languages.focus.value()).id);
     choose(VisitItem::practise);
     choose(VisitItem::lead_round);
     kiosk.do_nothing(15.0);

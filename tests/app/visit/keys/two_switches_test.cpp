@@ -51,12 +51,37 @@ TEST(TwoSwitches, SelectTakesWhatIsUnderIt) {
     List list(2);
     SwitchScan scan;
     EXPECT_EQ(act(list, scan, SwitchEvent::select).press, KeyRole::select);
+    EXPECT_EQ(act(list, scan, SwitchEvent::select).press, KeyRole::select) << "once more";
     (void)act(list, scan, SwitchEvent::move);
+    int moves = 0;
     for (const KeyRole role : {KeyRole::repeat, KeyRole::back, KeyRole::help}) {
-        (void)act(list, scan, SwitchEvent::move);
+        ++moves;
+        for (int i = 0; i < moves; ++i) (void)act(list, scan, SwitchEvent::move);
         EXPECT_EQ(act(list, scan, SwitchEvent::select).press, role);
-        EXPECT_EQ(act(list, scan, SwitchEvent::select).press, role) << "once more";
     }
+}
+
+/// Repeat says the item again, so the item is what Select takes then.
+TEST(TwoSwitches, AfterAKeySelectTakesTheItemThatIsHeard) {
+    List list(2);
+    SwitchScan scan;
+    for (int i = 0; i < 2; ++i) (void)act(list, scan, SwitchEvent::move);
+    EXPECT_EQ(act(list, scan, SwitchEvent::select).press, KeyRole::repeat);
+    EXPECT_EQ(act(list, scan, SwitchEvent::select).press, KeyRole::select);
+    EXPECT_EQ(list.screen.focus, 1U);
+    EXPECT_EQ(act(list, scan, SwitchEvent::move).said, "Repeat") << "once more is one move away";
+}
+
+TEST(TwoSwitches, OneBackIsEnough) {
+    List list(2);
+    list.screen.items.back().name = "Back";
+    SwitchScan scan;
+    std::vector<std::string> heard;
+    for (int i = 0; i < 4; ++i) {
+        const SwitchStep step = act(list, scan, SwitchEvent::move);
+        heard.push_back(step.said.empty() ? std::to_string(*list.screen.focus) : step.said);
+    }
+    EXPECT_EQ(heard, (std::vector<std::string>{"1", "Repeat", "Help", "0"}));
 }
 
 TEST(TwoSwitches, AnotherScreenIsWalkedFromItsItems) {
@@ -64,6 +89,7 @@ TEST(TwoSwitches, AnotherScreenIsWalkedFromItsItems) {
     SwitchScan scan;
     for (int i = 0; i < 3; ++i) (void)act(list, scan, SwitchEvent::move);
     EXPECT_EQ(act(list, scan, SwitchEvent::select).press, KeyRole::back);
+    for (int i = 0; i < 2; ++i) (void)act(list, scan, SwitchEvent::move);
     list.screen.title = "The screen before";
     EXPECT_EQ(act(list, scan, SwitchEvent::select).press, KeyRole::select);
 }
