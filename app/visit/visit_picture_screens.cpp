@@ -192,6 +192,12 @@ void tell_again(VisitWork& work) {
     say(work, told_picture(work));
 }
 
+/// Names said before are said again there.
+void explore(VisitWork& work) {
+    work.visitor.part_said.reset();
+    show(work, VisitScreen::explore);
+}
+
 /// "On the tail, upper right."
 void tell_place(VisitWork& work) {
     const Visitor& visitor = work.visitor;
@@ -356,7 +362,7 @@ constexpr auto picture_items = std::to_array<VisitItemRow>({
      [](const VisitSheet& sheet) { return facts_of(sheet).outline_count == 1; }},
     {S::picture, I::parts, "Parts", S::parts, "Choose a part, and the handle guides you to it.",
      [](const VisitSheet& sheet) { return !facts_of(sheet).parts.empty(); }, told_part_count},
-    {S::picture, I::explore, "Explore freely", S::explore, "Parts say their names."},
+    {S::picture, I::explore, "Explore freely", explore, "Parts say their names."},
     {S::picture, I::bring_back, "Bring me back to a line", bring_back, nullptr, has_outline},
     {S::picture, I::tell_again, "Tell me again", tell_again},
     {S::picture, I::detail, "Detail", VisitSetting{named<details>, {chosen_detail, choose_detail}}},

@@ -89,22 +89,6 @@ TEST(Visit, HA1_NothingElseEverLeads) {
     }
 }
 
-TEST(Visit, APartIsReachedAndSaid) {
-    FakeHouse house;
-    to_picture(house);
-    ASSERT_TRUE(house.choose("Parts"));
-    EXPECT_NE(house.last_said().find("Body en, middle, 1 of 2"), std::string::npos);
-    ASSERT_TRUE(house.choose("Tail en"));
-    EXPECT_TRUE(house.last_said().starts_with("The handle will guide you to this part: Tail en."));
-    house.wait(2.1);
-    ASSERT_TRUE(house.is_leading);
-    EXPECT_EQ(house.visit.visitor.leading->guide.kind, GuideKind::to_place);
-    EXPECT_EQ(house.visit.visitor.leading->guide.place_W, (Position{0.04, -0.02}));
-    house.wait(2.1);
-    EXPECT_TRUE(house.has_said("You are there.", 0));
-    EXPECT_FALSE(house.visit.visitor.leading);
-}
-
 TEST(Visit, HA3_FocusChoiceErrorEdgeAndTimeOutShakeDifferently) {
     FakeHouse house;
     to_choose(house);
@@ -434,37 +418,6 @@ TEST(Visit, LaterFactsOfTheSamePictureAreTaken) {
     EXPECT_TRUE(house.find("Nose"));
     house.apply(PictureReady{house.visit.visitor.felt->order.request + 7, {}});
     EXPECT_EQ(house.visit.visitor.felt->facts.parts.size(), 3U) << "another request's";
-}
-
-TEST(Visit, PartsAreNamedWhereTheHandRestsAndNotWhileItIsQuick) {
-    FakeHouse house;
-    to_picture(house);
-    ASSERT_TRUE(house.choose("Explore freely"));
-    house.wait(2.0);
-    const std::size_t before = house.transcript.size();
-    HandleSeen quick;
-    quick.part = 0;
-    quick.speed_m_per_s = 0.2;
-    for (int i = 0; i < 10; ++i) {
-        house.apply(quick);
-        house.wait(0.1);
-    }
-    EXPECT_EQ(house.transcript.size(), before);
-    HandleSeen still = quick;
-    still.speed_m_per_s = 0.01;
-    house.apply(still);
-    EXPECT_EQ(house.last_said(), "Body en");
-    const std::size_t named = house.transcript.size();
-    house.wait(5.0);
-    EXPECT_EQ(house.transcript.size(), named) << "once";
-    still.part = 1;
-    house.apply(still);
-    house.wait(0.3);
-    EXPECT_EQ(house.transcript.size(), named) << "it has to rest";
-    house.wait(0.2);
-    EXPECT_EQ(house.last_said(), "Tail en");
-    ASSERT_TRUE(house.choose("Where am I?"));
-    EXPECT_EQ(house.last_said(), "On: Tail en. In the picture: middle.");
 }
 
 TEST(Visit, TheFirstWordsOfAPictureAreItsTitleThenHowItIsDrawn) {
