@@ -250,11 +250,13 @@ template <int change>
 void step_view(VisitWork& work) {
     const PagePlace& place = work.visitor.felt->facts.place;
     open_view(work, place.page, place.view + change);
+    work.visitor.loading->focus = change > 0 ? VisitItem::next_view : VisitItem::view_before;
 }
 
 template <int change>
 void step_page(VisitWork& work) {
     open_view(work, work.visitor.felt->facts.place.page + change, 1);
+    work.visitor.loading->focus = change > 0 ? VisitItem::next_page : VisitItem::page_before;
 }
 
 void find_thing_here(VisitWork& work) {

@@ -391,18 +391,22 @@ TEST(Visit, PagesAndTheirPicturesAreWalkedThrough) {
     ASSERT_TRUE(house.choose("Next picture of the page"));
     EXPECT_EQ(house.last<LoadPicture>()[0].view, 2);
     house.wait(0.5);
-    ASSERT_TRUE(house.choose("Pages"));
-    ASSERT_TRUE(house.choose("The whole page"));
+    EXPECT_TRUE(house.has_said("The whole page", house.transcript.size() - 1)) << "the next one";
+    house.press(KeyRole::select);
     EXPECT_EQ(house.last<LoadPicture>()[0].view, 3);
     house.wait(0.5);
-    ASSERT_TRUE(house.choose("Pages"));
+    EXPECT_EQ(house.last_said(), "Page 1 of 2. The whole page. 5 outlines. Back");
     ASSERT_TRUE(house.choose("Go to the next page"));
     EXPECT_EQ(house.last<LoadPicture>()[0].page, 2);
     EXPECT_EQ(house.last<LoadPicture>()[0].view, 1);
     house.wait(0.5);
-    ASSERT_TRUE(house.choose("Pages"));
+    EXPECT_EQ(house.last_said(),
+              "Page 2 of 2. Picture 1 of 2 on this page. 5 outlines. This is the last page. Back");
     EXPECT_FALSE(house.find("Go to the next page"));
     EXPECT_TRUE(house.find("Go to the page before"));
+    ASSERT_TRUE(house.choose("Back"));
+    EXPECT_EQ(house.open(), VisitScreen::picture);
+    EXPECT_NE(house.last_said().find("Pages"), std::string::npos);
 }
 
 TEST(Visit, LaterFactsOfTheSamePictureAreTaken) {
