@@ -370,8 +370,6 @@ constexpr auto picture_items = std::to_array<VisitItemRow>({
     {S::picture, I::detail, "Detail", VisitSetting{named<details>, {chosen_detail, choose_detail}}},
     {S::picture, I::zoom, "Enlargement", S::zoom, nullptr, nullptr, told_zoom},
     {S::picture, I::mode, "Kind of line", VisitSetting{named<modes>, {chosen_mode, choose_mode}}},
-    {S::picture, I::undo, "Undo the last change", undo, nullptr,
-     [](const VisitSheet& sheet) { return sheet.visitor().before.has_value(); }, told_last_change},
     {S::picture, I::stiffness, "Firmness",
      VisitSetting{stiffness_names, kept_in<&Visitor::feel, &Feel::stiffness>}},
     {S::picture, I::held_shape, "Shape in the hand",
@@ -387,6 +385,8 @@ constexpr auto picture_items = std::to_array<VisitItemRow>({
      [](const VisitSheet& sheet) {
          return is_of_things(sheet) || facts_of(sheet).place.things == ThingSearch::unclear;
      }},
+    {S::picture, I::undo, "Undo the last change", undo, nullptr,
+     [](const VisitSheet& sheet) { return sheet.visitor().before.has_value(); }, told_last_change},
     {S::picture, I::another_picture, "Another picture", choose_another},
 
     {S::parts, I::entry, "", VisitList{write_parts, lead_to_part}},

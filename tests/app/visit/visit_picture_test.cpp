@@ -151,7 +151,8 @@ TEST(Visit, TheLastChangeIsUndoneAndSaid) {
     EXPECT_FALSE(house.find("Undo the last change")) << "there is none yet";
     ASSERT_TRUE(house.choose("Kind of line"));
     ASSERT_TRUE(house.choose("wall"));
-    ASSERT_TRUE(house.find("Undo the last change"));
+    ASSERT_TRUE(house.find("Another picture"));
+    house.press(KeyRole::up);
     EXPECT_TRUE(house.last_said().starts_with("Undo the last change, Kind of line"));
     house.press(KeyRole::select);
     EXPECT_EQ(house.visit.visitor.feel.mode, Mode::groove);
