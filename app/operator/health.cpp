@@ -86,12 +86,13 @@ struct Lines {
     void add_networks() {
         const auto& [missing, lacks_shipped] = health.networks;
         if (lacks_shipped)
-            add_trouble("A network for photographs is missing. Install Touchline again.");
+            add_trouble("Photos cannot be recognised. Install Touchline again.");
         else if (missing > 0)
-            add(Urgency::remark, "Networks for photographs",
-                language.counted("operator", "{0} is missing", "{0} are missing", missing));
+            add(Urgency::remark, "Recognising photos",
+                language.counted("operator", "{0} file is missing", "{0} files are missing",
+                                 missing));
         else
-            add(Urgency::none, "Networks for photographs", words("all installed"));
+            add(Urgency::none, "Recognising photos", words("complete"));
     }
 
     void add_rest() {

@@ -266,6 +266,18 @@ struct List {
     }
 };
 
+const char* told_urgency(Urgency worst) {
+    switch (worst) {
+        case Urgency::trouble:
+            return "Something does not work.";
+        case Urgency::remark:
+            return "Nothing needs repair.";
+        case Urgency::none:
+            break;
+    }
+    return "Everything works.";
+}
+
 std::string own_text(const Operator& state, const OperatorWorld& world) {
     const auto words = [&](std::string_view english) {
         return english.empty() ? "" : world.language.text("operator", std::string(english));
@@ -283,9 +295,8 @@ std::string own_text(const Operator& state, const OperatorWorld& world) {
                 : world.language.text("operator", "At most {0} days are listed. The table has all.",
                                       {std::to_string(shown_days)});
     if (state.place == OperatorPlace::status) {
-        const bool is_well =
-            health_lines(world.kiosk.health, world.language).front().urgency != Urgency::trouble;
-        text = words(is_well ? "Everything works." : "Something does not work.") + ' ' + text;
+        const auto lines = health_lines(world.kiosk.health, world.language);
+        text = words(told_urgency(lines.front().urgency)) + ' ' + text;
     }
     if (is_of_pin(state.place) && !world.kiosk.is_private)
         add_sentence(text, words("Each press clicks. Plug in headphones to hear the digits."));

@@ -152,7 +152,7 @@ void take(VisitWork& work, const GuidanceEnded& ended) {
         cue(work, ScreenEvent::label_reached);
         shake(work, HandlePattern::chosen);
     }
-    say_next(work, told_end(work, ended.why, kind));
+    say_item_next(work, told_end(work, ended.why, kind));
 }
 
 void take(VisitWork& work, const TroubleBegan& began) {

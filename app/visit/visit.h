@@ -278,6 +278,7 @@ struct Visitor {
     HandleSeen handle;
     double part_since_s = 0.0;  // since the hand is on this part, or on none
     std::optional<std::size_t> part_said;
+    bool has_moved = false;          // whether the handle moved since the open screen was entered
     bool has_touched = false;        // whether the hand touched a line of this picture
     bool has_felt = false;           // whether a hand moved on one, whatever was opened since
     double active_s = 0.0;           // last key or motion

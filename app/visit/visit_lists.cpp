@@ -134,8 +134,20 @@ std::string pictures_in_words(std::size_t count, const Language& language) {
 
 // What a list shows.
 
+bool shows_part(const VisitSheet& sheet) {
+    return sheet.visitor().path.back().end > 0;
+}
+
+/// The grade of a picture, unless it is that of the whole part, whose name said it.
+std::string told_grade(const VisitSheet& sheet, const PictureRows& rows, std::size_t row) {
+    const ListPart part = shown_part(sheet.visitor().path.back(), rows.size());
+    const bool is_of_part =
+        shows_part(sheet) && rows.value_at(part.first) == rows.value_at(part.end - 1);
+    return is_of_part ? std::string() : rows.value_at(row);
+}
+
 void write_picture_row(VisitSheet& sheet, const PictureRows& rows, std::size_t row) {
-    sheet.row(row, rows.name_at(row), rows.value_at(row), "Press Select to open it.",
+    sheet.row(row, rows.name_at(row), told_grade(sheet, rows, row), "Press Select to open it.",
               sheet.language.text("visit", "picture {0} of {1}",
                                   {std::to_string(row + 1), std::to_string(rows.size())}));
 }
@@ -167,10 +179,6 @@ void write_name_of_part(VisitSheet& sheet, PictureSource source) {
     const ListPart part = shown_part(sheet.visitor().path.back(), rows.size());
     sheet.screen.title = rows.name_of(part);
     sheet.told(pictures_in_words(part.size(), sheet.language));
-}
-
-bool shows_part(const VisitSheet& sheet) {
-    return sheet.visitor().path.back().end > 0;
 }
 
 void write_gallery(VisitSheet& sheet) {

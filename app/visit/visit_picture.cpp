@@ -103,27 +103,44 @@ std::string told_change(const VisitWork& work, LoadReason reason) {
     return told_picture(work);
 }
 
-/// Adds the item without its value, which was told already.
-void say_with_name(VisitWork& work, VisitItem item, std::string text) {
-    focus_on(work, item);  // other items may have come before it
+/// Adds the item of the enlargement without its value, which was told already.
+void say_zoom(VisitWork& work, std::string text) {
+    focus_on(work, VisitItem::zoom);  // other items may have come before it
     SpokenScreen screen = screen_of(work);
     screen.items[*screen.focus].value.clear();
     add_sentence(text, spoken_item(screen, *screen.focus, language_of(work)));
     say(work, text);
 }
 
+/// Whoever turned a page can turn on with the same key: the item keeps the focus, or the way back
+/// to the picture has it. It is told without its place, a second count after that of the page.
+void tell_view(VisitWork& work, std::optional<VisitItem> turned, std::string text) {
+    focus_on(work, VisitItem::pages);
+    if (turned) {
+        enter(work, VisitScreen::pages);
+        focus_on(work, VisitItem::back);
+        focus_on(work, *turned);
+    }
+    const PagePlace& place = work.visitor.felt->facts.place;
+    if (turned == VisitItem::next_page && place.page == place.page_count)
+        add_sentence(text, words(work, "This is the last page."));
+    const SpokenScreen screen = screen_of(work);
+    add_sentence(text, screen.items[*screen.focus].name);
+    say(work, text);
+}
+
 /// While help is open, the visitor hears it once the keys are silent. Texts that tell the whole
 /// picture have its title already.
-void tell_change(VisitWork& work, LoadReason reason) {
-    std::string text = told_change(work, reason);
+void tell_change(VisitWork& work, const Loading& done) {
+    std::string text = told_change(work, done.reason);
     if (work.visitor.over) return say(work, text, SpeechPriority::hint);
-    switch (reason) {
+    switch (done.reason) {
         case LoadReason::main_thing:
             return say_item_next(work, text);
         case LoadReason::zoom:
-            return say_with_name(work, VisitItem::zoom, text);
+            return say_zoom(work, text);
         case LoadReason::other_view:
-            return say_with_name(work, VisitItem::pages, text);
+            return tell_view(work, done.focus, text);
         case LoadReason::detail: {
             focus_on(work, VisitItem::detail);
             std::string all = screen_of(work).title;
@@ -245,7 +262,7 @@ void take(VisitWork& work, const PictureReady& ready) {
             visitor.has_felt = false;
             return arrive_at_picture(work, done);
         }
-        return tell_change(work, done.reason);
+        return tell_change(work, done);
     }
     if (!visitor.felt || visitor.felt->order.request != ready.request) return;
     const std::size_t known = visitor.felt->facts.parts.size();

@@ -192,6 +192,12 @@ void tell_again(VisitWork& work) {
     say(work, told_picture(work));
 }
 
+/// Names said before are said again there.
+void explore(VisitWork& work) {
+    work.visitor.part_said.reset();
+    show(work, VisitScreen::explore);
+}
+
 /// "On the tail, upper right."
 void tell_place(VisitWork& work) {
     const Visitor& visitor = work.visitor;
@@ -244,11 +250,13 @@ template <int change>
 void step_view(VisitWork& work) {
     const PagePlace& place = work.visitor.felt->facts.place;
     open_view(work, place.page, place.view + change);
+    work.visitor.loading->focus = change > 0 ? VisitItem::next_view : VisitItem::view_before;
 }
 
 template <int change>
 void step_page(VisitWork& work) {
     open_view(work, work.visitor.felt->facts.place.page + change, 1);
+    work.visitor.loading->focus = change > 0 ? VisitItem::next_page : VisitItem::page_before;
 }
 
 void find_thing_here(VisitWork& work) {
@@ -356,14 +364,12 @@ constexpr auto picture_items = std::to_array<VisitItemRow>({
      [](const VisitSheet& sheet) { return facts_of(sheet).outline_count == 1; }},
     {S::picture, I::parts, "Parts", S::parts, "Choose a part, and the handle guides you to it.",
      [](const VisitSheet& sheet) { return !facts_of(sheet).parts.empty(); }, told_part_count},
-    {S::picture, I::explore, "Explore freely", S::explore, "Parts say their names."},
+    {S::picture, I::explore, "Explore freely", explore, "Parts say their names."},
     {S::picture, I::bring_back, "Bring me back to a line", bring_back, nullptr, has_outline},
     {S::picture, I::tell_again, "Tell me again", tell_again},
     {S::picture, I::detail, "Detail", VisitSetting{named<details>, {chosen_detail, choose_detail}}},
     {S::picture, I::zoom, "Enlargement", S::zoom, nullptr, nullptr, told_zoom},
     {S::picture, I::mode, "Kind of line", VisitSetting{named<modes>, {chosen_mode, choose_mode}}},
-    {S::picture, I::undo, "Undo the last change", undo, nullptr,
-     [](const VisitSheet& sheet) { return sheet.visitor().before.has_value(); }, told_last_change},
     {S::picture, I::stiffness, "Firmness",
      VisitSetting{stiffness_names, kept_in<&Visitor::feel, &Feel::stiffness>}},
     {S::picture, I::held_shape, "Shape in the hand",
@@ -379,6 +385,8 @@ constexpr auto picture_items = std::to_array<VisitItemRow>({
      [](const VisitSheet& sheet) {
          return is_of_things(sheet) || facts_of(sheet).place.things == ThingSearch::unclear;
      }},
+    {S::picture, I::undo, "Undo the last change", undo, nullptr,
+     [](const VisitSheet& sheet) { return sheet.visitor().before.has_value(); }, told_last_change},
     {S::picture, I::another_picture, "Another picture", choose_another},
 
     {S::parts, I::entry, "", VisitList{write_parts, lead_to_part}},

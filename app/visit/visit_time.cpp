@@ -173,7 +173,8 @@ bool names_parts(VisitScreen screen) {
            screen == VisitScreen::practice;
 }
 
-/// Says the name of the part that the hand rests on.
+/// Says the name of the part that the hand rests on. It waits for a motion: a bare name after a
+/// screen's words would be taken for one of its items.
 void name_part(VisitWork& work) {
     Visitor& visitor = work.visitor;
     const HandleSeen& handle = visitor.handle;
@@ -184,6 +185,7 @@ void name_part(VisitWork& work) {
     }
     if (!visitor.felt || *handle.part >= visitor.felt->facts.parts.size()) return;
     if (visitor.over || !names_parts(visitor.path.back().screen)) return;
+    if (!visitor.has_moved) return;
     if (handle.part == visitor.part_said || rested_s < dwell_s) return;
     if (handle.speed_m_per_s > quick_m_per_s) return;
     visitor.part_said = handle.part;
@@ -282,6 +284,7 @@ void take(VisitWork& work, const HandleSeen& handle) {
     Visitor& visitor = work.visitor;
     if (handle.part != visitor.handle.part) visitor.part_since_s = work.site.now_s;
     visitor.handle = handle;
+    visitor.has_moved = visitor.has_moved || handle.has_moved || handle.is_led;
     visitor.has_touched = visitor.has_touched || handle.part.has_value();
     if (visitor.has_touched && keep_whole(work)) tell_things(work);
     const bool is_hand = handle.has_moved && !handle.is_led;

@@ -13,6 +13,7 @@ const Language& language_at(const VisitWorld& world, std::size_t index) {
 void arrive(VisitWork& work) {
     work.visitor.entered_s = work.site.now_s;
     work.visitor.is_hint_due = true;
+    work.visitor.has_moved = false;
     work.visitor.repeats = 0;
 }
 

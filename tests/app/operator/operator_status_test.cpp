@@ -40,26 +40,25 @@ std::vector<std::string> names(const KioskHealth& health) {
 
 TEST(Health, WhatDoesNotWorkComesFirstAndThenWhatIsWorthARemark) {
     KioskHealth health = sound_health();
-    EXPECT_EQ(names(health),
-              (std::vector<std::string>{"Handle", "Starting point found", "Sound", "Camera",
-                                        "USB stick", "Networks for photographs", "Faults today",
-                                        "Started", "Version"}));
+    EXPECT_EQ(names(health), (std::vector<std::string>{"Handle", "Starting point found", "Sound",
+                                                       "Camera", "USB stick", "Recognising photos",
+                                                       "Faults today", "Started", "Version"}));
     health.can_keep = false;
     health.has_sound = false;
     health.faults_today = 2;
     health.homed_ago_s.reset();
-    EXPECT_EQ(names(health), (std::vector<std::string>{
-                                 "There is no sound. Check the cable of the speaker",
-                                 "Nothing can be saved. Make room on the disk",
-                                 "Starting point found", "Faults today", "Handle", "Camera",
-                                 "USB stick", "Networks for photographs", "Started", "Version"}));
+    EXPECT_EQ(names(health),
+              (std::vector<std::string>{"There is no sound. Check the cable of the speaker",
+                                        "Nothing can be saved. Make room on the disk",
+                                        "Starting point found", "Faults today", "Handle", "Camera",
+                                        "USB stick", "Recognising photos", "Started", "Version"}));
 }
 
 TEST(Health, ANetworkThatDoesNotShipIsOnlyRemarkedOn) {
     KioskHealth health = sound_health();
     health.networks = {1, false};
     const HealthLine line = health_lines(health, Language()).front();
-    EXPECT_EQ(line.name + ", " + line.value, "Networks for photographs, 1 is missing");
+    EXPECT_EQ(line.name + ", " + line.value, "Recognising photos, 1 file is missing");
     EXPECT_EQ(line.urgency, Urgency::remark);
 }
 
@@ -107,6 +106,9 @@ TEST_F(StatusTest, IsWhatThePinOpensAndSaysTheWorstAtOnce) {
     EXPECT_TRUE(rig.heard().ends_with(
         "\nState of the kiosk. Everything works. Press Back for the menu. Handle, device 2diy, "
         "1 of 12\n"));
+    rig.health.networks = {1, false};
+    rig.press(R::help);
+    EXPECT_TRUE(rig.heard().starts_with("State of the kiosk. Nothing needs repair. "));
     rig.health.handle_trouble = "The handle is unplugged. Plug its cable in again.";
     rig.press(R::help);
     EXPECT_TRUE(rig.heard().starts_with(

@@ -37,9 +37,11 @@ TEST(Visit, WhyGuidingEndedIsSaid) {
         ASSERT_TRUE(house.choose("Guide me round the outer outline"));
         house.wait(3.0);
         house.apply(GuidanceEnded{why});
-        EXPECT_EQ(house.last_said(), told);
+        const std::string all = told + std::string(" Guide me round the outer outline, 1 of ") +
+                                std::to_string(house.screen().items.size());
+        EXPECT_EQ(house.last_said(), all) << "and where the visitor is";
         house.press(KeyRole::repeat);
-        EXPECT_EQ(house.last_said(), told);
+        EXPECT_EQ(house.last_said(), all);
     }
     for (const SwitchUse use : {SwitchUse::none, SwitchUse::move_and_select}) {
         FakeHouse house;

@@ -89,22 +89,6 @@ TEST(Visit, HA1_NothingElseEverLeads) {
     }
 }
 
-TEST(Visit, APartIsReachedAndSaid) {
-    FakeHouse house;
-    to_picture(house);
-    ASSERT_TRUE(house.choose("Parts"));
-    EXPECT_NE(house.last_said().find("Body en, middle, 1 of 2"), std::string::npos);
-    ASSERT_TRUE(house.choose("Tail en"));
-    EXPECT_TRUE(house.last_said().starts_with("The handle will guide you to this part: Tail en."));
-    house.wait(2.1);
-    ASSERT_TRUE(house.is_leading);
-    EXPECT_EQ(house.visit.visitor.leading->guide.kind, GuideKind::to_place);
-    EXPECT_EQ(house.visit.visitor.leading->guide.place_W, (Position{0.04, -0.02}));
-    house.wait(2.1);
-    EXPECT_TRUE(house.has_said("You are there.", 0));
-    EXPECT_FALSE(house.visit.visitor.leading);
-}
-
 TEST(Visit, HA3_FocusChoiceErrorEdgeAndTimeOutShakeDifferently) {
     FakeHouse house;
     to_choose(house);
@@ -167,7 +151,8 @@ TEST(Visit, TheLastChangeIsUndoneAndSaid) {
     EXPECT_FALSE(house.find("Undo the last change")) << "there is none yet";
     ASSERT_TRUE(house.choose("Kind of line"));
     ASSERT_TRUE(house.choose("wall"));
-    ASSERT_TRUE(house.find("Undo the last change"));
+    ASSERT_TRUE(house.find("Another picture"));
+    house.press(KeyRole::up);
     EXPECT_TRUE(house.last_said().starts_with("Undo the last change, Kind of line"));
     house.press(KeyRole::select);
     EXPECT_EQ(house.visit.visitor.feel.mode, Mode::groove);
@@ -407,18 +392,22 @@ TEST(Visit, PagesAndTheirPicturesAreWalkedThrough) {
     ASSERT_TRUE(house.choose("Next picture of the page"));
     EXPECT_EQ(house.last<LoadPicture>()[0].view, 2);
     house.wait(0.5);
-    ASSERT_TRUE(house.choose("Pages"));
-    ASSERT_TRUE(house.choose("The whole page"));
+    EXPECT_TRUE(house.has_said("The whole page", house.transcript.size() - 1)) << "the next one";
+    house.press(KeyRole::select);
     EXPECT_EQ(house.last<LoadPicture>()[0].view, 3);
     house.wait(0.5);
-    ASSERT_TRUE(house.choose("Pages"));
+    EXPECT_EQ(house.last_said(), "Page 1 of 2. The whole page. 5 outlines. Back");
     ASSERT_TRUE(house.choose("Go to the next page"));
     EXPECT_EQ(house.last<LoadPicture>()[0].page, 2);
     EXPECT_EQ(house.last<LoadPicture>()[0].view, 1);
     house.wait(0.5);
-    ASSERT_TRUE(house.choose("Pages"));
+    EXPECT_EQ(house.last_said(),
+              "Page 2 of 2. Picture 1 of 2 on this page. 5 outlines. This is the last page. Back");
     EXPECT_FALSE(house.find("Go to the next page"));
     EXPECT_TRUE(house.find("Go to the page before"));
+    ASSERT_TRUE(house.choose("Back"));
+    EXPECT_EQ(house.open(), VisitScreen::picture);
+    EXPECT_NE(house.last_said().find("Pages"), std::string::npos);
 }
 
 TEST(Visit, LaterFactsOfTheSamePictureAreTaken) {
@@ -434,37 +423,6 @@ TEST(Visit, LaterFactsOfTheSamePictureAreTaken) {
     EXPECT_TRUE(house.find("Nose"));
     house.apply(PictureReady{house.visit.visitor.felt->order.request + 7, {}});
     EXPECT_EQ(house.visit.visitor.felt->facts.parts.size(), 3U) << "another request's";
-}
-
-TEST(Visit, PartsAreNamedWhereTheHandRestsAndNotWhileItIsQuick) {
-    FakeHouse house;
-    to_picture(house);
-    ASSERT_TRUE(house.choose("Explore freely"));
-    house.wait(2.0);
-    const std::size_t before = house.transcript.size();
-    HandleSeen quick;
-    quick.part = 0;
-    quick.speed_m_per_s = 0.2;
-    for (int i = 0; i < 10; ++i) {
-        house.apply(quick);
-        house.wait(0.1);
-    }
-    EXPECT_EQ(house.transcript.size(), before);
-    HandleSeen still = quick;
-    still.speed_m_per_s = 0.01;
-    house.apply(still);
-    EXPECT_EQ(house.last_said(), "Body en");
-    const std::size_t named = house.transcript.size();
-    house.wait(5.0);
-    EXPECT_EQ(house.transcript.size(), named) << "once";
-    still.part = 1;
-    house.apply(still);
-    house.wait(0.3);
-    EXPECT_EQ(house.transcript.size(), named) << "it has to rest";
-    house.wait(0.2);
-    EXPECT_EQ(house.last_said(), "Tail en");
-    ASSERT_TRUE(house.choose("Where am I?"));
-    EXPECT_EQ(house.last_said(), "On: Tail en. In the picture: middle.");
 }
 
 TEST(Visit, TheFirstWordsOfAPictureAreItsTitleThenHowItIsDrawn) {

@@ -133,7 +133,8 @@ void photograph(StagedKiosk& kiosk) {
     kiosk.listen();
     kiosk.choose(VisitItem::pages);
     kiosk.choose(VisitItem::next_view);
-    kiosk.wait_for(VisitScreen::picture);
+    kiosk.wait_for(VisitScreen::pages);
+    go_back(kiosk);
     kiosk.choose(VisitItem::thing_here);
     kiosk.wait_for(VisitScreen::picture);
     kiosk.choose(VisitItem::zoom);
@@ -150,14 +151,14 @@ void document(StagedKiosk& kiosk) {
     kiosk.put_stick();
     kiosk.choose(row(0));
     kiosk.wait_for(VisitScreen::picture);
-    for (int page = 2; page <= 12; ++page) {
-        kiosk.choose(VisitItem::pages);
-        kiosk.choose(VisitItem::next_page);
-        kiosk.wait_for(VisitScreen::picture);
-    }
     kiosk.choose(VisitItem::pages);
+    for (int page = 2; page <= 12; ++page) {
+        kiosk.choose(VisitItem::next_page);
+        kiosk.wait_for(VisitScreen::pages);
+    }
     kiosk.choose(VisitItem::page_before);
-    kiosk.wait_for(VisitScreen::picture);
+    kiosk.wait_for(VisitScreen::pages);
+    go_back(kiosk);
     kiosk.choose(VisitItem::another_picture);
     kiosk.pull_stick();
     go_back(kiosk);
