@@ -307,7 +307,7 @@ void one_switch(StagedKiosk& kiosk) {
     };
     kiosk.press(KeyRole::select);
     const SpokenScreen languages = kiosk.screen();
-    kiosk.do_nothing(30.0);  // hears how to find each language, and lets the own one pass
+    kiosk.do_nothing(24.0);  // hears how to find each language
     kiosk.choose_when_it_comes(languages.items.at(languages.focus.value()).id);
     choose(VisitItem::practise);
     choose(VisitItem::lead_round);
