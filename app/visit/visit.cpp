@@ -152,7 +152,10 @@ void take(VisitWork& work, const GuidanceEnded& ended) {
         cue(work, ScreenEvent::label_reached);
         shake(work, HandlePattern::chosen);
     }
-    say_item_next(work, told_end(work, ended.why, kind));
+    const std::string told = told_end(work, ended.why, kind);
+    // Whoever has just chosen a part knows where in the list it is.
+    if (ended.why == GuidanceEnd::arrived && kind == GuideKind::to_place) return say(work, told);
+    say_item_next(work, told);
 }
 
 void take(VisitWork& work, const TroubleBegan& began) {

@@ -104,7 +104,7 @@ MainThings dog() {
 }
 
 /// The lines of a gallery picture, without its words.
-Page page_of_document(std::size_t picture, int number, int count) {
+Page page_without_words(std::size_t picture, int number, int count) {
     Page page = gallery_without_workers().files[0][picture]->open({}).value();
     page.told.title.clear();
     page.told.description.clear();
@@ -120,7 +120,7 @@ Result<Page> open_document(const PageOrder& order) {
     constexpr int count = 12;
     if (order.page < 1 || order.page > count) return failure("plan.pdf has no such page");
     const auto picture = static_cast<std::size_t>(order.page - 1) % drawn.size();
-    return page_of_document(drawn.at(picture), order.page, count);
+    return page_without_words(drawn.at(picture), order.page, count);
 }
 
 FilePtr file_of_stick(const std::string& name, std::function<Result<Page>(const PageOrder&)> open) {
@@ -178,10 +178,12 @@ std::vector<FilePtr> staged_files() {
 }
 
 std::vector<FilePtr> two_hundred_and_five_files() {
-    const std::vector<FilePtr>& drawn = gallery_without_workers().files[0];
+    const std::size_t drawn = gallery_without_workers().files[0].size();
     std::vector<FilePtr> files;
     const auto add = [&](const std::string& name) {
-        files.push_back(file_of_stick(name, drawn[files.size() % drawn.size()]->open));
+        files.push_back(file_of_stick(name, [place = files.size() % drawn](const PageOrder&) {
+            return Result<Page>(page_without_words(place, 1, 1));
+        }));
     };
     for (const char* name : {"Anna", "boat", "cat", "garden", "house", "map"})
         for (int i = 1; i <= 10; ++i) add(fmt::format("{} {}.png", name, i));

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -50,8 +52,9 @@ std::vector<std::string> titles_in_english(const Transcript& heard, std::size_t 
 class Transcripts : public testing::TestWithParam<VisitPlan> {};
 
 TEST_P(Transcripts, AreThoseThatWereRead) {
-    for (std::size_t i = 0; i < all_languages().size(); ++i) {
-        const Language& language = all_languages()[i];
+    const std::vector<Language> languages = all_languages();
+    for (std::size_t i = 0; i < languages.size(); ++i) {
+        const Language& language = languages[i];
         SCOPED_TRACE(language.code());
         const Transcript heard = act_out(GetParam(), language.code());
         EXPECT_EQ(text_of(heard, language.code()), kept_text(GetParam(), language.code()))
