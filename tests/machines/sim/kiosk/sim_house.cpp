@@ -21,7 +21,7 @@ constexpr double sound_s = 4e-3;
 constexpr double look_s = 0.05;  // of the servo's main thread, unless something wakes it
 constexpr double plan_s = 1e-3;
 constexpr double skipped_frame_s = 0.25;
-constexpr double quiet_s = 12.0;          // after the last sound
+constexpr double quiet_s = 5.0;           // after the last sound; an invitation comes every 11 s
 constexpr double before_plan_s = 2.0;     // nothing is skipped so close to a planned event
 constexpr double most_jitter_s = 6e-5;    // of a tick's start
 constexpr int most_zero_tries = 100;      // by the guard
@@ -222,8 +222,7 @@ bool SimHouse::may_skip() const {
 /// Passes time for the kiosk alone, in long frames.
 void SimHouse::skip() {
     const double until_s = next_plan_s() - before_plan_s;
-    const std::size_t heard = heard_ever();
-    while (now_s_ < until_s && heard == heard_ever() && !findings_.first()) {
+    while (now_s_ < until_s && !is_visit_on(kiosk_->kiosk->visit()) && !findings_.first()) {
         skipped_s_ += skipped_frame_s;
         now_s_ = time_.now_s + skipped_s_;
         frame();
