@@ -6,14 +6,24 @@
 #include "config/types/hand_state.h"
 #include "config/types/result.h"
 #include "config/types/tactile_map.h"
+#include "haptics/curve/segment.h"
+
+#include <vector>
 
 namespace touchline {
 
-/// Its lines as a hand feels them. Fails as build_scene().
-[[nodiscard]] Result<ShownScene> attract_scene(const TactileMap& map);
+/// A picture, and the longest of its lines as a hand follows it.
+struct AttractPicture {
+    ShownScene shown;
+    std::vector<Segment> line;
+    double length_m = 0.0;  // of the line
+};
 
-/// A hand that follows the longest line of the scene for ever, `now_s` after it began. O(segments
+/// Its lines as a hand feels them. Fails as build_scene(). O(segments of the map).
+[[nodiscard]] Result<AttractPicture> attract_picture(const TactileMap& map);
+
+/// A hand that follows the line for ever, `now_s` after it began; at rest without one. O(segments
 /// of the line).
-[[nodiscard]] HandState attract_hand(const Scene& scene, double now_s);
+[[nodiscard]] HandState attract_hand(const AttractPicture& picture, double now_s);
 
 }  // namespace touchline

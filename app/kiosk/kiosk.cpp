@@ -1,7 +1,6 @@
 #include "app/kiosk/kiosk.h"
 
 #include "app/documents/sticks/spoken_name.h"
-#include "app/kiosk/attract.h"
 #include "app/visit/told_lines.h"
 #include "audio-cues/cues/cue_table.h"
 #include "audio-cues/words/language.h"
@@ -268,10 +267,10 @@ std::shared_ptr<const Canvas> Kiosk::preview() const {
 }
 
 DrawnPicture Kiosk::drawn() const {
-    const ShownScene& attract = pictures_.attract();
+    const AttractPicture& attract = pictures_.attract();
     const bool is_nobody_here = open_screen(visit_) == VisitScreen::attract && !is_operator_in();
-    if (!is_nobody_here || !attract.scene) return {shown(), hand()};
-    return {attract, attract_hand(*attract.scene, now_s_)};
+    if (!is_nobody_here || !attract.shown.scene) return {shown(), hand()};
+    return {attract.shown, attract_hand(attract, now_s_)};
 }
 
 std::vector<LineDrawingPtr> Kiosk::pictures_of(const SpokenScreen& screen) const {

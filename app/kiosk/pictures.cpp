@@ -4,7 +4,6 @@
 #include "app/documents/decode/opening.h"
 #include "app/documents/gallery/gallery.h"
 #include "app/documents/packs/pack_library.h"
-#include "app/kiosk/attract.h"
 #include "app/visit/told_lines.h"
 
 #include <algorithm>
@@ -76,9 +75,9 @@ Result<void> read_drawings(Gallery& gallery, const std::vector<GalleryEntry>& en
         if (!map) return tl::unexpected(map.error());
         gallery.lines.push_back(std::make_shared<const LineDrawing>(line_drawing(*map)));
         if (!entry.path.ends_with(attractive)) continue;
-        auto scene = attract_scene(*map);
-        if (!scene) return tl::unexpected(scene.error());
-        gallery.attract = std::move(*scene);
+        auto attract = attract_picture(*map);
+        if (!attract) return tl::unexpected(attract.error());
+        gallery.attract = std::move(*attract);
     }
     return {};
 }

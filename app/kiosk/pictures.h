@@ -2,6 +2,7 @@
 // its file, and the one that is felt until then. Threads: one; no call but read_gallery() waits.
 #pragma once
 
+#include "app/kiosk/attract.h"
 #include "app/kiosk/loading/loader.h"
 #include "app/kiosk/loading/stages.h"
 #include "app/kiosk/picture_facts.h"
@@ -27,7 +28,7 @@ struct Gallery {
     std::vector<std::vector<FilePtr>> files;        // one list per language, in the same order
     FilePtr circle, square;                         // to practise on
     std::vector<LineDrawingPtr> lines;              // in the same order; null: of a pack
-    ShownScene attract;                             // shown while nobody is here
+    AttractPicture attract;                         // shown while nobody is here
 };
 
 /// The maps of `folder` in every language, then the pictures of the packs in `library`
@@ -44,7 +45,7 @@ class Pictures {
         return gallery_.titles;
     }
 
-    [[nodiscard]] const ShownScene& attract() const { return gallery_.attract; }
+    [[nodiscard]] const AttractPicture& attract() const { return gallery_.attract; }
 
     /// The lines of the picture with this title; null: there is none, or it is of a pack.
     /// O(pictures).
@@ -52,7 +53,7 @@ class Pictures {
 
     void put_stick(std::vector<FilePtr> files) { stick_ = std::move(files); }
 
-    /// In a stick's place while there is none, for every visitor.
+    /// These are offered to every visitor in a stick's place, while there is none.
     void give(std::vector<FilePtr> files) { given_ = std::move(files); }
 
     void put_photo(FilePtr photo) { photo_ = std::move(photo); }

@@ -20,12 +20,12 @@ TactileMap circle_of(double radius_m) {
 }
 
 TEST(Attract, AHandFollowsTheLineRoundAndRound) {
-    const auto shown = attract_scene(circle_of(0.03));
-    ASSERT_TRUE(shown.has_value());
-    Position last = attract_hand(*shown->scene, 0.0).p_WP;
+    const auto picture = attract_picture(circle_of(0.03));
+    ASSERT_TRUE(picture.has_value());
+    Position last = attract_hand(*picture, 0.0).p_WP;
     double way_m = 0.0;
     for (int frame = 1; frame <= 60 * 20; ++frame) {
-        const HandState hand = attract_hand(*shown->scene, frame / 60.0);
+        const HandState hand = attract_hand(*picture, frame / 60.0);
         EXPECT_NEAR(norm(hand.p_WP), 0.03, 1e-4);
         EXPECT_NEAR(norm(hand.p_WH - hand.p_WP), 0.001, 1e-6);
         EXPECT_LT(norm(hand.p_WP - last), 0.001);  // it never jumps
@@ -36,9 +36,9 @@ TEST(Attract, AHandFollowsTheLineRoundAndRound) {
 }
 
 TEST(Attract, WithoutALineTheHandRests) {
-    const auto shown = attract_scene({});
-    if (!shown) return;  // an empty map is no scene
-    EXPECT_EQ(attract_hand(*shown->scene, 1.0).p_WP, Position{});
+    const auto picture = attract_picture({});
+    if (!picture) return;  // an empty map is no scene
+    EXPECT_EQ(attract_hand(*picture, 1.0).p_WP, Position{});
 }
 
 }  // namespace
