@@ -83,7 +83,7 @@ void Kiosk::press_switch(SwitchEvent event) {
     if (step.press) apply(KeyPressed{*step.press});
 }
 
-/// With one switch the items come by themselves, each once the words before it have been heard.
+/// Items come by themselves for one switch, each once the words before it have been heard.
 void Kiosk::scan_by_itself() {
     if (settings_.two_switches != SwitchUse::by_itself || is_operator_in()) return;
     if (sound_->is_speaking() && sound_->problem().empty())

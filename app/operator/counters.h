@@ -33,7 +33,7 @@ struct CountedDay {
     friend bool operator==(const CountedDay&, const CountedDay&) = default;
 };
 
-/// In the order of the days.
+/// They are in the order of the days.
 using CountedDays = std::vector<CountedDay>;
 
 inline constexpr std::size_t most_counted_days = 400;

@@ -13,7 +13,7 @@ namespace touchline {
 
 enum class CameraHealth : std::uint8_t { none, ready, unplugged, stopped };  // none: not wanted
 
-/// Of the networks that look at photographs.
+/// What is known of the networks that look at photographs.
 struct NetworkHealth {
     int missing = 0;             // not installed
     bool lacks_shipped = false;  // one of these comes with Touchline

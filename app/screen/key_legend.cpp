@@ -10,7 +10,7 @@
 namespace touchline {
 namespace {
 
-// In capitals of the normal size.
+// Lengths are in capitals of the normal size.
 constexpr double key_caps = 1.5;       // side of a key
 constexpr double name_gap_caps = 0.3;  // between a key and its name
 constexpr double key_gap_caps = 0.9;   // between a name and the next key

@@ -19,8 +19,8 @@ inline constexpr std::string_view digit_letter = "0";  // stands for every digit
 /// O(all names), some milliseconds for 10 000.
 [[nodiscard]] std::vector<std::string> first_letters(std::span<const std::string> names);
 
-/// By their first letters, names with digits first and those without a letter last; then in natural
-/// order (names.h). A folder counts only among files of the same name. O(n log n).
+/// Sorts names by their first letters, those with digits first and those without a letter last;
+/// then in natural order (names.h). A folder counts only among files of the same name. O(n log n).
 void sort_by_name(std::vector<StickEntry>& entries);
 
 }  // namespace touchline
