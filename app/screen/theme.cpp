@@ -1,8 +1,9 @@
 #include "app/screen/theme.h"
 
+#include "config/types/angle.h"
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace touchline {
 
@@ -25,7 +26,7 @@ double contrast(Colour a, Colour b) {
 }
 
 double cap_height_px(double distance_m, double mm_per_px) {
-    constexpr double angle_rad = cap_angle_deg(TextSize::normal) * std::numbers::pi / 180.0;
+    constexpr double angle_rad = radians(cap_angle_deg(TextSize::normal));
     constexpr double fallback_px = 27.0;  // 0.6 m in front of 0.27 mm pixels
     const double height_px = 2000.0 * distance_m * std::tan(angle_rad / 2.0) / mm_per_px;
     if (!(height_px > 0.0) || !std::isfinite(height_px)) return fallback_px;

@@ -3,11 +3,11 @@
 #include "app/visit/status.h"
 #include "app/visit/visit_menu.h"
 #include "audio-cues/words/language.h"
+#include "config/types/angle.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -97,18 +97,15 @@ std::string told_page_place(const VisitSheet& sheet) {
     return words_of(facts_of(sheet).place, sheet.language);
 }
 
-constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
-
 /// The turn from the start, the short way round; left is counter-clockwise.
 std::string told_turn(double turn_rad, const Language& language) {
-    const int degrees =
-        static_cast<int>(std::lround(std::remainder(degrees_per_radian * turn_rad, 360.0)));
-    if (degrees == 0) return language.text("visit", "not turned");
-    const int turned = std::abs(degrees);
-    return degrees > 0 ? language.counted("visit", "turned left by {0} degree",
-                                          "turned left by {0} degrees", turned)
-                       : language.counted("visit", "turned right by {0} degree",
-                                          "turned right by {0} degrees", turned);
+    const int left_deg = static_cast<int>(std::lround(std::remainder(degrees(turn_rad), 360.0)));
+    if (left_deg == 0) return language.text("visit", "not turned");
+    const int turned = std::abs(left_deg);
+    return left_deg > 0 ? language.counted("visit", "turned left by {0} degree",
+                                           "turned left by {0} degrees", turned)
+                        : language.counted("visit", "turned right by {0} degree",
+                                           "turned right by {0} degrees", turned);
 }
 
 std::string turn_value(const VisitSheet& sheet) {
@@ -269,7 +266,7 @@ void find_thing_here(VisitWork& work) {
 
 /// A shape's turn in steps of a key, wherever a knob left it.
 void turn_to(VisitWork& work, double (*step_of)(double steps)) {
-    constexpr double step_rad = 15.0 / degrees_per_radian;
+    constexpr double step_rad = radians(15.0);
     double& turn_rad = work.visitor.feel.turn_rad;
     turn_rad = step_rad * step_of(turn_rad / step_rad);
     say(work, told_turn(turn_rad, language_of(work)));

@@ -1,14 +1,13 @@
 #include "haptics/device/board_frame.h"
 
+#include "config/types/angle.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace touchline {
 namespace {
-
-constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
 
 constexpr double most_counts = 1e6;  // many turns of any encoder; no arm turns one
 
@@ -33,7 +32,7 @@ bool is_whole(double raw_deg, double quantum_deg) {
 }
 
 double handle_quantum_deg(const TurningHandle& handle) {
-    return degrees_per_radian * encoder_quantum_rad(handle);
+    return degrees(encoder_quantum_rad(handle));
 }
 
 // Puts the values of the two ports in the order of the joints, or the other way round: it is its
@@ -60,12 +59,11 @@ BoardFrame::BoardFrame(const DeviceProfile& profile, const Calibration& calibrat
       calibration_(calibration),
       unit_(calibrated(profile, calibration)),
       is_joint_1_on_port_2_(profile.wiring.joint_1.port == 2),
-      quantum_(reordered<PortDegree>(encoder_quantum(unit_), is_joint_1_on_port_2_,
-                                     degrees_per_radian)) {}
+      quantum_(reordered<PortDegree>(encoder_quantum(unit_), is_joint_1_on_port_2_, degrees(1.0))) {
+}
 
 BoardSetUp BoardFrame::set_up_at_home() const {
-    const auto home =
-        reordered<PortDegree>(profile_.home, is_joint_1_on_port_2_, degrees_per_radian);
+    const auto home = reordered<PortDegree>(profile_.home, is_joint_1_on_port_2_, degrees(1.0));
     const auto told = reordered<PortDegree>(unit_.counts_per_turn, is_joint_1_on_port_2_,
                                             unit_.wiring.told_per_count);
     const Turn turn_1 = profile_.wiring.joint_1.turn;
@@ -102,7 +100,7 @@ PortAngles BoardFrame::home_reading() const {
 
 JointAngles BoardFrame::joint_angles(PortAngles raw) const {
     const auto turned =
-        reordered<Radian>(raw - home_reading(), is_joint_1_on_port_2_, 1.0 / degrees_per_radian);
+        reordered<Radian>(raw - home_reading(), is_joint_1_on_port_2_, radians(1.0));
     return profile_.home + calibration_.offset +
            calibration_.scale * at_joints(calibration_.encoders, turned);
 }

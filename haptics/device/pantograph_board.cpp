@@ -1,8 +1,9 @@
 #include "haptics/device/pantograph_board.h"
 
+#include "config/types/angle.h"
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace touchline {
@@ -21,7 +22,6 @@ constexpr int jumps_that_count = 3;
 constexpr int most_packets_a_tick = 16;
 constexpr double pause_s = 0.001;
 constexpr int longest_end_ms = 20;
-constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
 // Half a count of play to each side, so that a counter that steps back by one, or trembles on an
 // edge, moves nothing.
@@ -110,7 +110,7 @@ std::optional<JointAngles> PantographBoard::read_angles(double now_s) {
 
 std::optional<double> PantographBoard::handle_angle_rad() const {
     if (!frame_.has_handle() || !raw_ || report_.state != BoardState::ready) return std::nullopt;
-    return raw_->handle_deg * radians_per_degree;
+    return radians(raw_->handle_deg);
 }
 
 void PantographBoard::turn_handle(double torque_Nm) {
@@ -277,7 +277,7 @@ bool PantographBoard::is_jump(const Said& raw) const {
     const double age_s = (jumps_in_a_row_ == 0 ? raw_age_s_ : jump_age_s_) + sampling_s;
     const JointAngles quantum = encoder_quantum(frame_.calibrated_profile());
     if (frame_.has_handle()) {
-        const double turned_rad = radians_per_degree * std::abs(raw.handle_deg - raw_->handle_deg);
+        const double turned_rad = radians(std::abs(raw.handle_deg - raw_->handle_deg));
         if (!(turned_rad <= handle_speed_rad_per_s * age_s + handle_step_rad)) return true;
     }
     const JointAngles then = frame_.joint_angles(raw_->joints);

@@ -1,5 +1,7 @@
 #include "haptics/pantograph/profile.h"
 
+#include "config/types/angle.h"
+
 #include <algorithm>
 #include <array>
 #include <numbers>
@@ -8,10 +10,8 @@
 namespace touchline {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
-constexpr JointAngles degrees(double joint_1, double joint_2) {
-    return {joint_1 * pi / 180.0, joint_2 * pi / 180.0};
+constexpr JointAngles joints_at(double joint_1_deg, double joint_2_deg) {
+    return {radians(joint_1_deg), radians(joint_2_deg)};
 }
 
 // The M0 board of every 2diy resolves half of the counts that its set-up command gives.
@@ -43,11 +43,11 @@ constexpr BoardWiring mk2_wiring{port_1_ccw, port_2_ccw, 1.0};  // a custom boar
 
 // The two ends of a gen 3's reach are the home poses of its two generations. No other stop is
 // published, so the others are checked with both arms stretched towards the person.
-constexpr JointAngles gen3_retracted = degrees(168.0, 12.0);
-constexpr JointAngles gen3_extended = degrees(97.23, 82.77);
-constexpr CheckStop gen2_stretched{degrees(90.0, 90.0), StopPlace::towards};
-constexpr CheckStop haplet_stretched{degrees(85.2198, 94.7802), StopPlace::towards};
-constexpr CheckStop mk2_stretched{degrees(84.8030, 95.1970), StopPlace::towards};
+constexpr JointAngles gen3_retracted = joints_at(168.0, 12.0);
+constexpr JointAngles gen3_extended = joints_at(97.23, 82.77);
+constexpr CheckStop gen2_stretched{joints_at(90.0, 90.0), StopPlace::towards};
+constexpr CheckStop haplet_stretched{joints_at(85.2198, 94.7802), StopPlace::towards};
+constexpr CheckStop mk2_stretched{joints_at(84.8030, 95.1970), StopPlace::towards};
 
 // Not sold by anyone: the arms of a gen 3.1 on a board with four ports, which resolves every count
 // it is told, and a third motor of the same make straight at the handle.
@@ -74,7 +74,7 @@ constexpr DeviceProfile gen2{"2diy-gen2",
                              gen2_links,
                              m0_counts(10752.0, 10752.0),
                              0.123,
-                             degrees(241.0, -61.0),
+                             joints_at(241.0, -61.0),
                              Area{0.144, 0.108},
                              Position{0.0, 0.076},
                              3.0,
@@ -94,7 +94,7 @@ constexpr DeviceProfile stopped_at(DeviceProfile profile, std::string_view name,
 
 /// As in one of the maker's programs.
 constexpr DeviceProfile gen2_of_240() {
-    DeviceProfile profile = stopped_at(gen2, "2diy-gen2-240", degrees(240.0, -60.0));
+    DeviceProfile profile = stopped_at(gen2, "2diy-gen2-240", joints_at(240.0, -60.0));
     profile.counts_per_turn = m0_counts(10978.0, 10978.0);
     profile.wiring = gen2_alike_wiring;
     return profile;
@@ -104,19 +104,19 @@ constexpr DeviceProfile gen2_of_240() {
 // which the motors give in their best direction (2.8 N: mk2).
 constexpr std::array profiles{
     gen31,
-    stopped_at(gen31, "2diy-gen3.1-172", degrees(172.0, 8.0)),
-    stopped_at(gen31, "2diy-gen3.1-180", degrees(180.0, 0.0)),
+    stopped_at(gen31, "2diy-gen3.1-172", joints_at(172.0, 8.0)),
+    stopped_at(gen31, "2diy-gen3.1-180", joints_at(180.0, 0.0)),
     DeviceProfile{
         "2diy-gen3", gen3_links, m0_counts(2048.0 * 2.5 * 1.0194 * 1.0154, 2048.0 * 2.5 * 1.0194),
         0.123, gen3_extended, Area{0.116, 0.084}, Position{0.019, 0.094}, 3.0, 100.0, plastic_arms,
         gen3_wiring, StopPlace::towards, CheckStop{gen3_retracted, StopPlace::away}, std::nullopt},
     gen2,
     gen2_of_240(),
-    DeviceProfile{"haplet", haplet_links, JointAngles{13824.0, 13824.0}, 0.123, degrees(180.0, 0.0),
-                  Area{0.104, 0.076}, Position{0.010, 0.060}, 3.0, 100.0, small_arms, haplet_wiring,
-                  StopPlace::sideways, haplet_stretched, std::nullopt},
+    DeviceProfile{"haplet", haplet_links, JointAngles{13824.0, 13824.0}, 0.123,
+                  joints_at(180.0, 0.0), Area{0.104, 0.076}, Position{0.010, 0.060}, 3.0, 100.0,
+                  small_arms, haplet_wiring, StopPlace::sideways, haplet_stretched, std::nullopt},
     // No home pose is published, so this is the symmetric one near the centre of the area.
-    DeviceProfile{"mk2", mk2_links, JointAngles{65536.0, 65536.0}, 0.1, degrees(150.0, 30.0),
+    DeviceProfile{"mk2", mk2_links, JointAngles{65536.0, 65536.0}, 0.1, joints_at(150.0, 30.0),
                   Area{0.096, 0.072}, Position{0.0125, 0.084}, 2.8, 400.0, direct_drive, mk2_wiring,
                   StopPlace::sideways, mk2_stretched, std::nullopt},
     DeviceProfile{"gen3.1-turning", gen3_links, JointAngles{4880.0, 4880.0}, 0.123, gen3_retracted,
@@ -150,11 +150,12 @@ DeviceProfile profile_or_default(std::string_view name) {
 }
 
 JointAngles encoder_quantum(const DeviceProfile& profile) {
-    return {2.0 * pi / profile.counts_per_turn.x, 2.0 * pi / profile.counts_per_turn.y};
+    return {2.0 * std::numbers::pi / profile.counts_per_turn.x,
+            2.0 * std::numbers::pi / profile.counts_per_turn.y};
 }
 
 double encoder_quantum_rad(const TurningHandle& handle) {
-    return 2.0 * pi / handle.counts_per_turn;
+    return 2.0 * std::numbers::pi / handle.counts_per_turn;
 }
 
 double encoder_step_m(const DeviceProfile& profile) {

@@ -3,10 +3,11 @@
 // Threads: values and pure functions.
 #pragma once
 
+#include "config/types/angle.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -134,7 +135,7 @@ struct Ray {
 [[nodiscard]] double turn(const Ray& in, const Ray& out);
 
 /// A line that turns by less than this, in radians, goes straight on.
-inline constexpr double straight_on_rad = 30.0 * std::numbers::pi / 180.0;
+inline constexpr double straight_on_rad = radians(30.0);
 
 /// Returns the least-squares crossing of the lines along some rays; nothing if the determinant is
 /// below `least`. For two rays it is the square of the sine between them.

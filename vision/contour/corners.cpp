@@ -1,18 +1,19 @@
 #include "vision/contour/corners.h"
 
+#include "config/types/angle.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 
 namespace touchline {
 namespace {
 
 constexpr double sample_step_px = 0.5;
-constexpr double least_turn = 35.0 * std::numbers::pi / 180.0;
+constexpr double least_turn = radians(35.0);
 // A sharper turn is the end of a stroke.
-constexpr double greatest_turn = 155.0 * std::numbers::pi / 180.0;
+constexpr double greatest_turn = radians(155.0);
 constexpr double least_course_px = 2.5;  // of a course, to fit a line
 constexpr double course_span_px = 7.0;
 constexpr double course_straight_px = 0.25;  // rms about the fitted line

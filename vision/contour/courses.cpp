@@ -1,12 +1,12 @@
 #include "vision/contour/courses.h"
 
+#include "config/types/angle.h"
 #include "vision/contour/gradient.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <numbers>
 
 namespace touchline {
 namespace {
@@ -52,7 +52,7 @@ std::pair<Ray, double> fitted(const Chain& arm, EndId end, double from_px, doubl
     return {{centre + (part.front() - centre).dot(direction) * direction, direction}, rms_px};
 }
 
-constexpr double hairpin_turn = 145.0 * std::numbers::pi / 180.0;
+constexpr double hairpin_turn = radians(145.0);
 constexpr double hairpin_over_depth = 2.0;
 constexpr double least_hairpin_px = 6.0;
 

@@ -1,9 +1,9 @@
+#include "config/types/angle.h"
 #include "vision/contour/gradient.h"
 #include "vision/contour/linking.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -15,10 +15,10 @@ namespace {
 constexpr double longest_dash_mm = 7.0;
 constexpr double widest_dot_mm = 3.0;
 constexpr double widest_gap_mm = 4.2;
-constexpr double most_bend = 60.0 * std::numbers::pi / 180.0;  // round the corner of a box
-constexpr double most_turn_at_dot = 90.0 * std::numbers::pi / 180.0;
-constexpr double most_turn_at_tip = 150.0 * std::numbers::pi / 180.0;
-constexpr double dash_corner_rad = 40.0 * std::numbers::pi / 180.0;  // a turn of less is a curve's
+constexpr double most_bend = radians(60.0);  // round the corner of a box
+constexpr double most_turn_at_dot = radians(90.0);
+constexpr double most_turn_at_tip = radians(150.0);
+constexpr double dash_corner_rad = radians(40.0);  // a turn of less is a curve's
 constexpr double same_course = 0.03;  // the square of the sine between courses: they meet nowhere
 constexpr double dash_over_width = 1.4;
 constexpr std::size_t least_dashes = 3;
@@ -55,8 +55,7 @@ std::optional<DashOrDot> piece_of_ring(const Chain& line, std::size_t number, do
     const bool is_dot = long_px < dash_over_width * short_px;
     if (is_dot) return DashOrDot{number, {{middle, strength, false}}, long_px, long_px, true};
     const double turned =
-        (static_cast<double>(box.angle) + (size.width >= size.height ? 0.0 : 90.0)) *
-        std::numbers::pi / 180.0;
+        radians(static_cast<double>(box.angle) + (size.width >= size.height ? 0.0 : 90.0));
     const cv::Point2d along(std::cos(turned), std::sin(turned));
     const cv::Point2d half = 0.5 * (long_px - short_px) * along;
     return DashOrDot{number,

@@ -1,10 +1,10 @@
+#include "config/types/angle.h"
 #include "vision/contour/ink_parts.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <numbers>
 #include <vector>
 
 #include <opencv2/imgproc.hpp>
@@ -87,7 +87,7 @@ Bundle best_tilted(const std::vector<cv::Point>& points, bool is_level, cv::Size
     Bundle best{is_level, 0.0};
     double sharpest = 0.0;
     for (double deg = -most_tilt_deg; deg <= most_tilt_deg; deg += tilt_step_deg) {
-        const Bundle bundle{is_level, std::tan(deg * std::numbers::pi / 180.0)};
+        const Bundle bundle{is_level, std::tan(radians(deg))};
         const double sharpness = Counts(points, bundle, size).sharpness();
         if (sharpness > sharpest) {
             sharpest = sharpness;

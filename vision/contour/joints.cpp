@@ -1,3 +1,4 @@
+#include "config/types/angle.h"
 #include "vision/contour/courses.h"
 
 #include <algorithm>
@@ -11,9 +12,9 @@ namespace touchline {
 namespace {
 
 // A smaller turn is a bend, not a corner.
-constexpr double corner_turn_rad = 35.0 * std::numbers::pi / 180.0;
+constexpr double corner_turn_rad = radians(35.0);
 // The square of the sine; below it, two courses are parallel.
-const double least_sine_squared = std::pow(std::sin(8.0 * std::numbers::pi / 180.0), 2);
+const double least_sine_squared = std::pow(std::sin(radians(8.0)), 2);
 // A place on the way of an arm, or a course through a crossing.
 constexpr double beside_over_depth = 1.2;
 constexpr double blunt_over_depth = 2.0;  // of a place ahead of the skeleton's end in a blunt join
@@ -22,7 +23,7 @@ constexpr double joint_aside_px = 1.0;
 constexpr double tip_slack = 1.25;  // times the length of a mitre
 constexpr double tapered = 0.78;  // of the stroke's depth, on average: it is a mitre, not a stroke
 constexpr double no_stroke_px = 6.0;  // longer than its width by at most this: too short for one
-constexpr double parallel = 15.0 * std::numbers::pi / 180.0;
+constexpr double parallel = radians(15.0);
 
 /// Returns the distance of a place from the line along a ray.
 double beside(const Ray& ray, const cv::Point2d& at) {

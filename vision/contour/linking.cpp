@@ -1,5 +1,6 @@
 #include "vision/contour/linking.h"
 
+#include "config/types/angle.h"
 #include "vision/contour/junctions.h"
 #include "vision/contour/rings.h"
 
@@ -124,7 +125,7 @@ constexpr double least_cell_px = 4.0;         // a grid of smaller cells costs m
 constexpr double ray_span_px = 6.0;           // length of line that shows its direction
 constexpr double own_gap_over_length = 0.05;  // a ring with a break is still a ring
 // Where a line may meet another, off its course.
-constexpr double cone = 70.0 * std::numbers::pi / 180.0;
+constexpr double cone = radians(70.0);
 
 /// Two ends that may be one line, and the cost of joining them in pixels.
 struct GapCandidate {

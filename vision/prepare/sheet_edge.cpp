@@ -1,5 +1,6 @@
 #include "vision/prepare/sheet_edge.h"
 
+#include "config/types/angle.h"
 #include "vision/contour/gradient.h"
 #include "vision/prepare/paper.h"
 
@@ -59,7 +60,7 @@ using SheetEdges = std::array<std::optional<SheetEdge>, 4>;  // in the order of 
 
 constexpr int paper_run_px = 5;         // of paper: the sheet has begun
 constexpr double deepest_share = 0.25;  // of the picture's side: no sheet begins further in
-const double most_lean = std::tan(10.0 * std::numbers::pi / 180.0);
+const double most_lean = std::tan(radians(10.0));
 constexpr double on_edge_px = 1.3;
 constexpr double mostly_on_edge = 0.7;  // of the rows: strokes may run off the sheet
 constexpr double least_beyond = 0.12;   // of the rows have bed

@@ -1,16 +1,16 @@
 #include "vision/simplify/shaping.h"
 
+#include "config/types/angle.h"
 #include "vision/simplify/segment_grid.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 namespace touchline {
 namespace {
 
-constexpr double least_turn = 40.0 * std::numbers::pi / 180.0;
+constexpr double least_turn = radians(40.0);
 
 /// A polyline by its arc length. `is_ring`: the last point is the first again.
 class Course {

@@ -1,5 +1,6 @@
 #include "vision/simplify/surroundings.h"
 
+#include "config/types/angle.h"
 #include "vision/contour/ink_parts.h"
 #include "vision/contour/junctions.h"
 #include "vision/contour/rings.h"
@@ -8,7 +9,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <set>
 #include <utility>
 
@@ -17,7 +17,7 @@
 namespace touchline {
 namespace {
 
-constexpr double most_bend = 70.0 * std::numbers::pi / 180.0;
+constexpr double most_bend = radians(70.0);
 constexpr double end_skip_mm = 0.5;  // the last points of a line are its worst
 constexpr double end_span_mm = 4.0;
 

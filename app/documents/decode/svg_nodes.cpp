@@ -1,5 +1,6 @@
 #include "app/documents/decode/svg_nodes.h"
 
+#include "config/types/angle.h"
 #include "config/types/utf8.h"
 
 #include <algorithm>
@@ -7,7 +8,6 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <system_error>
 #include <utility>
 
@@ -85,10 +85,6 @@ std::optional<Arguments> take_arguments(SvgScanner& scanner) {
     }
     scanner.take();
     return arguments;
-}
-
-double radians(double degrees) {
-    return degrees * std::numbers::pi / 180.0;
 }
 
 Affine rotation(double angle_deg, double x, double y) {

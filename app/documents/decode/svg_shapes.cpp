@@ -1,6 +1,7 @@
 #include "app/documents/decode/svg_shapes.h"
 
 #include "app/documents/decode/map_svg.h"
+#include "config/types/angle.h"
 #include "config/types/map_frame.h"
 
 #include <algorithm>
@@ -344,8 +345,7 @@ void SvgTracer::arc_to(double radius_x, double radius_y, double rotation_deg, bo
     const UserPoint radii{std::abs(radius_x), std::abs(radius_y)};
     if (to == pen_) return;
     if (radii.x > 0.0 && radii.y > 0.0) {
-        const Arc arc = arc_between(pen_, to, radii, rotation_deg * std::numbers::pi / 180.0,
-                                    is_large, is_sweeping);
+        const Arc arc = arc_between(pen_, to, radii, radians(rotation_deg), is_large, is_sweeping);
         const double radius_mm =
             std::max(norm(arc.axis_x), norm(arc.axis_y)) * to_view_box_.stretch();
         const double parts = std::ceil(std::abs(arc.sweep_rad) / step_for(radius_mm));

@@ -1,8 +1,9 @@
 #include "tests/app/drawings/forms.h"
 
+#include "config/types/angle.h"
+
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
@@ -12,7 +13,7 @@ namespace {
 using Points = std::vector<cv::Point2d>;
 
 cv::Point2d polar(const cv::Point2d& centre, double radius, double deg) {
-    const double a = deg * std::numbers::pi / 180.0;
+    const double a = radians(deg);
     return centre + cv::Point2d(radius * std::cos(a), radius * std::sin(a));
 }
 

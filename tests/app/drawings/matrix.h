@@ -1,10 +1,10 @@
 // Affine maps of the plane, as SVG and PDF write them. Threads: pure functions.
 #pragma once
 
+#include "config/types/angle.h"
 #include "tests/vision/pictures/canvas.h"
 
 #include <cmath>
-#include <numbers>
 
 namespace touchline::testing {
 
@@ -39,7 +39,7 @@ inline Matrix operator*(const Matrix& m, const Matrix& n) {
 }
 
 inline Matrix turn_about(const cv::Point2d& c, double deg) {
-    const double t = deg * std::numbers::pi / 180.0;
+    const double t = radians(deg);
     const double cs = std::cos(t);
     const double sn = std::sin(t);
     return {cs, sn, -sn, cs, c.x - cs * c.x + sn * c.y, c.y - sn * c.x - cs * c.y};

@@ -1,5 +1,6 @@
 #include "tests/app/drawings/pdf_sheet.h"
 
+#include "config/types/angle.h"
 #include "tests/app/documents/decode/pdf_writer.h"
 
 #include <algorithm>
@@ -108,7 +109,7 @@ std::string PdfSheet::operators_of(const Paint& paint, const Matrix& units) {
 
 void PdfSheet::say(std::string_view words, const cv::Point2d& at, double size_mm, double turn_deg,
                    double grey) {
-    const double t = turn_deg * std::numbers::pi / 180.0;
+    const double t = radians(turn_deg);
     const Matrix place{std::cos(t), -std::sin(t), -std::sin(t), -std::cos(t), at.x, at.y};
     write(fmt::format("{:.3f} g BT /F {:.3f} Tf {} Tm ({}) Tj ET\n", grey, size_mm, written(place),
                       words));

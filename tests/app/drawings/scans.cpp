@@ -1,5 +1,6 @@
 #include "tests/app/drawings/scans.h"
 
+#include "config/types/angle.h"
 #include "tests/app/documents/decode/encoders.h"
 #include "tests/app/drawings/felt.h"
 #include "tests/vision/pictures/chance.h"
@@ -7,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string_view>
 #include <utility>
 
@@ -69,7 +69,7 @@ class Placing {
     Placing(const Bed& bed, double turn_deg)
         : wide_(1.0 - bed.free_left - bed.free_right),
           high_(1.0 - bed.free_top - bed.free_bottom),
-          turn_rad_(turn_deg * std::numbers::pi / 180.0),
+          turn_rad_(radians(turn_deg)),
           middle_(drawing_sheet_mm.width * (bed.free_left + 0.5 * wide_),
                   drawing_sheet_mm.height * (bed.free_top + 0.5 * high_)) {}
 

@@ -1,10 +1,10 @@
+#include "config/types/angle.h"
 #include "tests/app/drawings/forms.h"
 #include "tests/app/drawings/matrix.h"
 #include "tests/app/drawings/svg_features.h"
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
@@ -53,7 +53,7 @@ Drawing transforms(Chance& chance) {
         const double skew = chance.between(-15.0, 15.0);
         const Matrix outer{1, 0, 0, 1, at.x, at.y};
         const Matrix inner = turn_about({0, 0}, turn) * Matrix{k, 0, 0, k, 0, 0} *
-                             Matrix{1, 0, std::tan(skew * std::numbers::pi / 180.0), 1, 0, 0};
+                             Matrix{1, 0, std::tan(radians(skew)), 1, 0, 0};
         const Ink ink = any_ink(chance);
         body += fmt::format(R"(<g transform='translate({},{})'><g transform='rotate({:.4f}) )"
                             R"(scale({:.4f}),skewX({:.4f})'>{}</g></g>)",

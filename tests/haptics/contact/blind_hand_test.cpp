@@ -1,4 +1,5 @@
 // Can a hand that knows nothing of the line follow a groove round?
+#include "config/types/angle.h"
 #include "haptics/contact/contact_machine.h"
 #include "haptics/resolution/level_rule.h"
 #include "tests/haptics/scenes.h"
@@ -222,8 +223,7 @@ Outline bend(double turn_rad) {
 
 TEST(BlindHand, PassesSharpCornersThatTurnByLessThanARightAngle) {
     for (const double degrees : {15.0, 30.0, 45.0, 60.0, 75.0, 85.0}) {
-        const Followed run =
-            follow(bend(degrees * std::numbers::pi / 180.0), LevelChoice::finest, 60.0);
+        const Followed run = follow(bend(radians(degrees)), LevelChoice::finest, 60.0);
         EXPECT_EQ(run.reached, 1.0) << degrees;
         EXPECT_LE(run.worst_m, 0.002) << degrees;
     }
@@ -231,8 +231,7 @@ TEST(BlindHand, PassesSharpCornersThatTurnByLessThanARightAngle) {
 
 TEST(BlindHand, ComesToRestAtASharpTip) {
     for (const double degrees : {120.0, 135.0, 144.0, 160.0}) {
-        const Followed run =
-            follow(bend(degrees * std::numbers::pi / 180.0), LevelChoice::finest, 10.0);
+        const Followed run = follow(bend(radians(degrees)), LevelChoice::finest, 10.0);
         std::cout << "  turn " << degrees << ": rests " << 1e3 * norm(run.end)
                   << " mm from the tip\n";
         EXPECT_LE(norm(run.end), 0.001) << degrees;

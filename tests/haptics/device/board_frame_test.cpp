@@ -1,17 +1,16 @@
 #include "haptics/device/board_frame.h"
 
+#include "config/types/angle.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numbers>
 
 #include <gtest/gtest.h>
 
 namespace touchline {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 BoardFrame frame_of(const char* profile, const Calibration& calibration = {}) {
     return {find_profile(profile).value(), calibration};
@@ -76,8 +75,8 @@ TEST(BoardFrame, OffsetAndScaleActOnTheTurnFromHome) {
     const BoardFrame frame = frame_of("2diy-gen3.1", calibration);
     const PortAngles raw = frame.home_reading() + PortAngles{10.0, -20.0};  // joint 2, joint 1
     const JointAngles angles = frame.joint_angles(raw);
-    EXPECT_NEAR(angles.x, (168.0 - 1.05 * 20.0) * degree + 0.01, 1e-12);
-    EXPECT_NEAR(angles.y, (12.0 + 1.05 * 10.0) * degree - 0.02, 1e-12);
+    EXPECT_NEAR(angles.x, radians(168.0 - 1.05 * 20.0) + 0.01, 1e-12);
+    EXPECT_NEAR(angles.y, radians(12.0 + 1.05 * 10.0) - 0.02, 1e-12);
 }
 
 TEST(BoardFrame, TorquesAreScaledTogetherToTheUnitsLimit) {

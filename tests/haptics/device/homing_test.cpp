@@ -1,6 +1,7 @@
 // Homing: a hand that follows the words, and hands that do not.
 #include "haptics/device/homing.h"
 
+#include "config/types/angle.h"
 #include "haptics/pantograph/kinematics.h"
 #include "haptics/pantograph/profile.h"
 #include "tests/haptics/tick.h"
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -17,15 +17,14 @@
 namespace touchline {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
-constexpr JointAngles retracted{168.0 * degree, 12.0 * degree};
-constexpr JointAngles extended{97.23 * degree, 82.77 * degree};
+constexpr JointAngles retracted{radians(168.0), radians(12.0)};
+constexpr JointAngles extended{radians(97.23), radians(82.77)};
 const HomingPlan gen31 = homing_plan(default_profile());
 constexpr JointAngles aside =
-    extended + JointAngles{-30.0 * degree, -30.0 * degree};  // to the left
+    extended + JointAngles{radians(-30.0), radians(-30.0)};  // to the left
 
 // "No": to the right.
-constexpr JointAngles answer_no = extended + JointAngles{30.0 * degree, 30.0 * degree};
+constexpr JointAngles answer_no = extended + JointAngles{radians(30.0), radians(30.0)};
 
 Calibration known() {
     Calibration stored;
@@ -63,7 +62,7 @@ HomingView lead(Homing& homing, const Unit& unit, const std::vector<Stay>& stays
     double t_s = 0.0;
     const auto tick = [&] {
         t_s += tick_s;
-        const double tremble = 0.1 * degree * std::sin(60.0 * t_s);
+        const double tremble = radians(0.1) * std::sin(60.0 * t_s);
         view = homing.step(unit.read(at + JointAngles{tremble, -tremble}), tick_s);
     };
     for (const Stay& stay : stays) {
@@ -97,8 +96,8 @@ TEST(Homing, ShiftsWhatTheBoardTellsToWhereTheArmsAre) {
     ASSERT_EQ(lead(homing, unit, {{retracted, 4.5}, {extended, 4.5}}).step, HomingStep::done);
     const Calibration found = homing.calibration();
     const JointAngles middle = retracted + found.offset + (unit.read(between(0.5)) - retracted);
-    EXPECT_NEAR(middle.x, between(0.5).x, 0.4 * degree);
-    EXPECT_NEAR(middle.y, between(0.5).y, 0.4 * degree);
+    EXPECT_NEAR(middle.x, between(0.5).x, radians(0.4));
+    EXPECT_NEAR(middle.y, between(0.5).y, radians(0.4));
 }
 
 TEST(Homing, MeasuresTheScaleOfAUnitByTwoVisits) {
@@ -114,7 +113,7 @@ TEST(Homing, MeasuresTheScaleOfAUnitByTwoVisits) {
         EXPECT_EQ(view.remark, HomingRemark::measured);
         EXPECT_TRUE(homing.calibration().is_measured);
         EXPECT_NEAR(homing.calibration().scale / scale, 1.0, 0.01);
-        EXPECT_LT(norm(homing.calibration().stop_off), 0.5 * degree);
+        EXPECT_LT(norm(homing.calibration().stop_off), radians(0.5));
     }
 }
 
@@ -133,7 +132,7 @@ TEST(Homing, AScaleThatNoUnitIsKnownForIsSaidToBeAnotherKind) {
 
 /// The stops of the two arms are at different places, but both encoders are alike.
 TEST(Homing, WhatDiffersBetweenTheJointsIsTheStop) {
-    const JointAngles stop{166.58 * degree, 11.11 * degree};
+    const JointAngles stop{radians(166.58), radians(11.11)};
     Homing homing(gen31, {});
     ASSERT_EQ(lead(homing, {},
                    {{stop, 4.5},
@@ -146,7 +145,7 @@ TEST(Homing, WhatDiffersBetweenTheJointsIsTheStop) {
               HomingStep::done);
     const Calibration found = homing.calibration();
     EXPECT_NEAR(found.scale, 1.0, 0.006);
-    EXPECT_LT(norm(retracted + found.stop_off - stop), 0.6 * degree);
+    EXPECT_LT(norm(retracted + found.stop_off - stop), radians(0.6));
     Homing again(gen31, found);
     EXPECT_EQ(lead(again, {}, {{stop, 4.5}, {extended, 4.5}}).step, HomingStep::done);
 }
@@ -175,7 +174,7 @@ TEST(Homing, AMisfitIsToldAndTheHandMayGoOn) {
     const HomingView pause = lead(homing, unit, {{retracted, 4.5}, {between(0.5), 4.5}});
     EXPECT_EQ(pause.step, HomingStep::to_check);
     EXPECT_EQ(pause.remark, HomingRemark::misfit);
-    EXPECT_NEAR(pause.misfit_m, 0.5 * 70.77 * degree * 0.070, 1e-3);
+    EXPECT_NEAR(pause.misfit_m, 0.5 * radians(70.77) * 0.070, 1e-3);
     EXPECT_EQ(lead(homing, unit, {{between(0.5), 0.1}, {extended, 4.5}}).step, HomingStep::done);
 }
 
@@ -382,8 +381,8 @@ DeviceProfile reads_like_gen31(const Geometry& links, double bent_deg, double st
     DeviceProfile kind = default_profile();
     kind.name = "other-links";
     kind.geometry = links;
-    kind.home = {bent_deg * degree, (180.0 - bent_deg) * degree};
-    kind.check.angles = {stretched_deg * degree, (180.0 - stretched_deg) * degree};
+    kind.home = {radians(bent_deg), radians(180.0 - bent_deg)};
+    kind.check.angles = {radians(stretched_deg), radians(180.0 - stretched_deg)};
     const double share =
         turn_of_both_rad(extended - retracted) / turn_of_both_rad(kind.check.angles - kind.home);
     kind.counts_per_turn = share * kind.counts_per_turn;
@@ -398,7 +397,7 @@ const Geometry wider_links{0.060, 0.118, 0.060};    // too wide to go as far to 
 HomingView lead_to_the_end(Homing& homing, const Unit& unit, const DeviceProfile& kind,
                            double aside_deg) {
     const JointAngles left =
-        kind.check.angles - JointAngles{aside_deg * degree, aside_deg * degree};
+        kind.check.angles - JointAngles{radians(aside_deg), radians(aside_deg)};
     return lead(homing, unit,
                 {{kind.home, 4.5},
                  {kind.check.angles, 4.5},

@@ -1,5 +1,6 @@
 #include "haptics/pantograph/kinematics.h"
 
+#include "config/types/angle.h"
 #include "haptics/pantograph/profile.h"
 #include "tests/haptics/pantograph/workspace.h"
 
@@ -14,7 +15,6 @@ namespace touchline {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double degree = std::numbers::pi / 180.0;
 
 TEST(Kinematics, ForwardOfInverseIsThePointOverEveryWorkspace) {
     for (const DeviceProfile& profile : device_profiles()) {
@@ -79,7 +79,7 @@ TEST(Kinematics, ReferencePosesHaveTheirPublishedDigits) {
     };
     for (const ReferencePose& r : poses) {
         const Pose pose =
-            forward(r.geometry, {r.angle_1_deg * degree, r.angle_2_deg * degree}).value();
+            forward(r.geometry, {radians(r.angle_1_deg), radians(r.angle_2_deg)}).value();
         EXPECT_NEAR(pose.p_DH.x / mm, r.x_mm, 0.005);
         EXPECT_NEAR(pose.p_DH.y / mm, r.y_mm, 0.005);
         EXPECT_NEAR(pose.jacobian.joint_1.x, r.jacobian.joint_1.x, 5e-6);
@@ -128,7 +128,7 @@ RC_GTEST_PROP(Kinematics, SingularValuesBoundTheTipsMotion, ()) {
 }
 
 TEST(Kinematics, ConditionGrowsWithoutBoundTowardsAStretchedArm) {
-    const double bearing = 75.0 * degree;  // within the reach of arm 2
+    const double bearing = radians(75.0);  // within the reach of arm 2
     double before = 1.0;
     for (const double short_of_m : {1e-3, 1e-5, 1e-7, 1e-9}) {
         const double reach_m = gen3.proximal_m + gen3.distal_m - short_of_m;

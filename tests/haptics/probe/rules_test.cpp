@@ -1,19 +1,17 @@
 // R2 to R6 of the research note: a peg in a slot, a bar on a bump, a hook on an end, a spin past a
 // line, a wedge.
 
+#include "config/types/angle.h"
 #include "tests/haptics/probe/hands.h"
 #include "tests/haptics/probe/swept_judge.h"
 #include "tests/haptics/scenes.h"
 
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 
 namespace touchline {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 Outline open(std::vector<Position> points) {
     return scenes::outline(std::move(points), false);
@@ -52,8 +50,8 @@ TEST(ProbeRules, R2APegEntersItsSlotAndJamsWithABoundedTorque) {
     const SweptJudge judge(scene.curves, 0.0, peg.edges());
     for (const double tilt_deg : {0.0, 4.0, 12.0}) {
         ProbeProxy proxy;
-        const double upright = 90.0 * degree;
-        const ProbePose above{0.0, 0.006, upright + tilt_deg * degree};
+        const double upright = radians(90.0);
+        const ProbePose above{0.0, 0.006, upright + radians(tilt_deg)};
         proxy.reset(peg, scene, above, 0.0);
         (void)proxy.step(above, 0.0, {}, {});
         ProbePose in{0.0, -0.004, above.angle_rad};
@@ -62,7 +60,7 @@ TEST(ProbeRules, R2APegEntersItsSlotAndJamsWithABoundedTorque) {
         EXPECT_GT(judge.distance_m(proxy.pose()), 1e-8) << tilt_deg;
         // At most what the turning spring can give at this tilt.
         const double most_Nm =
-            turn_stiffness_Nm_per_rad(peg, 500.0) * (tilt_deg + 1.0) * degree + 2e-3;
+            turn_stiffness_Nm_per_rad(peg, 500.0) * radians(tilt_deg + 1.0) + 2e-3;
         EXPECT_LE(std::abs(report.torque_Nm), most_Nm) << tilt_deg;
         if (tilt_deg < 5.0) {
             EXPECT_LT(report.pose.y_m, -0.0035) << tilt_deg;
@@ -123,7 +121,7 @@ TEST(ProbeRules, R5ASpinPastALineMissesNothing) {
     for (int start = 0; start < 50; ++start) {
         ProbeProxy proxy;
         std::vector<ProbePose> path;
-        const double angle = 70.0 * degree + 1e-3 * start;
+        const double angle = radians(70.0) + 1e-3 * start;
         proxy.reset(bar, scene, {0.0, 0.0, angle}, 0.0);
         (void)proxy.step({0.0, 0.0, angle}, 0.0, {}, {}, 2e-3);
         proxy.record_path(&path);
@@ -164,7 +162,7 @@ TEST(ProbeRules, R6AWedgeHoldsWithAtMostThreeContactsAndDoesNotRing) {
     }
     EXPECT_LT(high.x_m - low.x_m, 4e-5);
     EXPECT_LT(high.y_m - low.y_m, 4e-5);
-    EXPECT_LT(high.angle_rad - low.angle_rad, 0.1 * degree);
+    EXPECT_LT(high.angle_rad - low.angle_rad, radians(0.1));
 }
 
 TEST(ProbeRules, AHandThatIsNotFiniteMovesNothing) {

@@ -1,10 +1,10 @@
 // What lies behind the lines of a drawing and is not a line: shadows, gradients, grids.
+#include "config/types/angle.h"
 #include "tests/vision/pictures/canvas.h"
 #include "vision/contour/regions.h"
 #include "vision/contour/strokes.h"
 
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
@@ -76,7 +76,7 @@ TEST(Behind, AGradientHasNoLinesInside) {
     for (const double turn_deg : {0.0, 30.0, 90.0}) {
         const cv::Rect shape(200, 150, 500, 350);
         cv::Mat picture(picture_size, CV_8UC3, white_bgr);
-        const double a = turn_deg * std::numbers::pi / 180.0;
+        const double a = radians(turn_deg);
         for (int y = shape.y; y < shape.br().y; ++y) {
             for (int x = shape.x; x < shape.br().x; ++x) {
                 const double t =
@@ -155,7 +155,7 @@ TEST(Behind, AFrameIsFeltWhereItIs) {
 }
 
 void draw_grid(Canvas& canvas, double tilt_deg, bool both_ways, const cv::Scalar& ink) {
-    const double tilt = std::tan(tilt_deg * std::numbers::pi / 180.0);
+    const double tilt = std::tan(radians(tilt_deg));
     for (double at = 60; at < 620; at += 70) {
         canvas.stroke({{{{20, at}, {880, at + 860 * tilt}}, false}}, 2.0, ink);
     }

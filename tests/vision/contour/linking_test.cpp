@@ -1,5 +1,7 @@
 #include "vision/contour/linking.h"
 
+#include "config/types/angle.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -28,7 +30,7 @@ Chain circle(cv::Point2d centre, double radius, double from_deg, double to_deg) 
     const double sweep = (to_deg - from_deg) * std::numbers::pi / 180.0;
     const int n = static_cast<int>(radius * sweep);
     for (int i = 0; i <= n; ++i) {
-        const double a = from_deg * std::numbers::pi / 180.0 + sweep * i / n;
+        const double a = radians(from_deg) + sweep * i / n;
         chain.points.push_back({centre + radius * cv::Point2d(std::cos(a), std::sin(a)), 10.0});
     }
     return chain;
@@ -98,7 +100,7 @@ TEST(Linking, ThreeEndsTogetherMeetWhereTheirLinesCross) {
     const cv::Point2d centre(100, 75);
     std::vector<Chain> arms;
     for (const double deg : {10.0, 130.0, 250.0}) {
-        const double a = deg * std::numbers::pi / 180.0;
+        const double a = radians(deg);
         const cv::Point2d out(std::cos(a), std::sin(a));
         arms.push_back(straight(centre + 50.0 * out, centre + 2.0 * out));
     }

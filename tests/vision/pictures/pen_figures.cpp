@@ -1,5 +1,6 @@
 #include "tests/vision/pictures/pen_figures.h"
 
+#include "config/types/angle.h"
 #include "tests/vision/pictures/chance.h"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace {
 constexpr double sharpest_deg = 15.0;
 
 cv::Point2d at_angle(double radius, double deg) {
-    const double a = deg * std::numbers::pi / 180.0;
+    const double a = radians(deg);
     return {radius * std::cos(a), radius * std::sin(a)};
 }
 
@@ -67,7 +68,7 @@ std::vector<Polyline> pen_star(Chance& chance, double thin) {
 
 std::vector<Polyline> pen_triangle(Chance& chance, double /*thin*/) {
     const double half_deg = 0.5 * chance.between(sharpest_deg, 60.0);
-    const double half_base = 1.8 * std::tan(half_deg * std::numbers::pi / 180.0);
+    const double half_base = 1.8 * std::tan(radians(half_deg));
     const double reach = std::max(1.0, std::hypot(half_base, 0.8));
     Polyline ring{{{0.0, -1.0}, {half_base, 0.8}, {-half_base, 0.8}}, true};
     for (cv::Point2d& p : ring.points) p /= reach;
@@ -78,7 +79,7 @@ std::vector<Polyline> pen_zigzag(Chance& chance, double thin) {
     const int n = 2 + chance.below(5);
     const double angle = chance.between(sharpest_deg, 90.0);
     const double height = std::max(14.0 * thin, chance.between(0.6, 1.4));
-    const double step = height * std::tan(0.5 * angle * std::numbers::pi / 180.0);
+    const double step = height * std::tan(0.5 * radians(angle));
     Polyline line;
     for (int i = 0; i <= n; ++i)
         line.points.emplace_back((i - 0.5 * n) * step, i % 2 == 0 ? 0.5 * height : -0.5 * height);

@@ -1,5 +1,6 @@
 #include "vision/prepare/halftone.h"
 
+#include "config/types/angle.h"
 #include "tests/vision/pictures/canvas.h"
 #include "tests/vision/pictures/scenes.h"
 #include "vision/simplify/trace.h"
@@ -17,7 +18,7 @@ const cv::Size print_size(1000, 724);
 
 /// A dark square on pale paper, printed as dots of black ink of this pitch.
 cv::Mat printed(double pitch_px, double turn_deg) {
-    const double turn = turn_deg * std::numbers::pi / 180.0;
+    const double turn = radians(turn_deg);
     const cv::Rect square(300, 160, 400, 400);
     cv::Mat fine(print_size * 2, CV_8U);
     for (int y = 0; y < fine.rows; ++y) {

@@ -1,11 +1,12 @@
 #include "tests/vision/simplify/touch_rules.h"
 
+#include "config/types/angle.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
@@ -83,7 +84,7 @@ std::vector<Place> corners_of(const Outline& outline, std::size_t number) {
         if (!outline.is_closed && (k < reach || k + reach >= n)) continue;
         const Position in = places[k].at - places[(k + n - reach) % n].at;
         const Position out = places[(k + reach) % n].at - places[k].at;
-        if (std::abs(std::atan2(cross(in, out), dot(in, out))) > 40.0 * std::numbers::pi / 180.0)
+        if (std::abs(std::atan2(cross(in, out), dot(in, out))) > radians(40.0))
             corners.push_back(places[k]);
     }
     return corners;

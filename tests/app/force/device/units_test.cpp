@@ -1,10 +1,10 @@
 // Tests units as found in the field: each becomes ready with the tip within a millimetre, or hears
 // what does not fit.
+#include "config/types/angle.h"
 #include "tests/app/force/device/device_visit.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -14,7 +14,6 @@
 namespace touchline {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
 constexpr double counts_4096 = 4096.0 / 4880.0 - 1.0;
 
 /// A unit, and the kind that people say it is.
@@ -68,7 +67,7 @@ std::vector<FieldUnit> field_units() {
 BoardTruth truth_of(const FieldUnit& unit) {
     BoardTruth truth;
     truth.profile = find_profile(unit.kind).value();
-    const JointAngles stop = degree * unit.stop;
+    const JointAngles stop = radians(1.0) * unit.stop;
     const bool is_home_stretched = truth.profile.home_place == StopPlace::towards;
     (is_home_stretched ? truth.profile.check.angles : truth.profile.home) = stop;
     truth.hand = stiff_arm;  // leans on the stop, so that friction leaves it a tenth off
@@ -176,7 +175,7 @@ TEST_P(HighFriction, LeavesTheMotorsToBeTried) {
     const DeviceProfile kind = find_profile(GetParam()).value();
     const bool is_home_stretched = kind.home_place == StopPlace::towards;
     const JointAngles bent = is_home_stretched ? kind.check.angles : kind.home;
-    BoardTruth truth = truth_of({"", GetParam(), 1.0 / degree * bent});
+    BoardTruth truth = truth_of({"", GetParam(), degrees(1.0) * bent});
     truth.profile.mechanics.coulomb_N = 0.25;
     DeviceVisit visit(truth);
     visit.end_s = 300.0;
