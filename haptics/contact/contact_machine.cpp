@@ -266,7 +266,7 @@ int ContactMachine::move_wall(double level, Position handle, const ContactSettin
     const double goal = within_octave(from, level);
     const bool is_whole_way = pace_octaves_ >= std::abs(goal - from);
     const double to = is_whole_way ? goal : from + std::copysign(pace_octaves_, goal - from);
-    WallMotion motion(outlines_, to, radius_m_, budget);
+    MovingWall motion(outlines_, to, radius_m_, budget);
     const auto carried = motion.carry(proxy_, handle);
     if (!carried) {
         pace_octaves_ = std::min(dt_s / octave_s, largest_octaves);

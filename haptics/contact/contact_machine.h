@@ -28,10 +28,10 @@ struct Carried {
     double moved_m = 0.0;  // with the slide to the handle's foot that follows
 };
 
-class WallMotion {
+class MovingWall {
   public:
     /// `to` is the level after the motion; it lies within one octave with that of `outlines`.
-    WallMotion(const RenderedOutlines& outlines, double to, double radius_m, const Budget& budget);
+    MovingWall(const RenderedOutlines& outlines, double to, double radius_m, const Budget& budget);
 
     /// Returns the proxy after the motion, with no line crossed on the way. Returns nothing if
     /// there is no such place or the budget ended. A free proxy that a wall reaches becomes a
@@ -165,7 +165,7 @@ class ContactMachine {
     /// Advances one tick of `dt_s` > 0. First the rendered level moves towards `level`. If the
     /// proxy is free and outside all boxes of the coarser of both levels, it moves there at once;
     /// else by at most half an octave and 0.015 N a tick, as a motion of the wall that takes the
-    /// proxy along (wall_motion.h). It waits if there is no place for the proxy or the energy
+    /// proxy along (moving_wall.cpp). It waits if there is no place for the proxy or the energy
     /// account does not cover it.
     /// Then the proxy moves towards the handle, with at most 256 walks and 4 tree queries; the rest
     /// of the way is carried to the next tick. |handle - proxy| never grows by that. A handle that

@@ -2,6 +2,7 @@
 
 #include "config/types/steady_clock.h"
 #include "haptics/collision/touch.h"
+#include "haptics/contact/friction.h"
 
 #include <algorithm>
 #include <cmath>

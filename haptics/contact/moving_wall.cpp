@@ -17,7 +17,7 @@ LevelChange change_between(double from, double to) {
 
 }  // namespace
 
-WallMotion::WallMotion(const RenderedOutlines& outlines, double to, double radius_m,
+MovingWall::MovingWall(const RenderedOutlines& outlines, double to, double radius_m,
                        const Budget& budget)
     : before_(outlines),
       after_(outlines.scene(), to),
@@ -27,7 +27,7 @@ WallMotion::WallMotion(const RenderedOutlines& outlines, double to, double radiu
 
 /// How far the motion takes the proxy, by itself and by the slide along an edge to the handle's
 /// foot that follows it.
-double WallMotion::way_m(const ProxyState& from, const ProxyState& to, Position handle) const {
+double MovingWall::way_m(const ProxyState& from, const ProxyState& to, Position handle) const {
     const double carried_m = norm(to.centre - from.centre);
     const auto foot_of = [&](const ProxyState& at) {
         if (at.state != ContactState::edge) return at.centre;
@@ -37,7 +37,7 @@ double WallMotion::way_m(const ProxyState& from, const ProxyState& to, Position 
     return std::max(carried_m, norm(foot_of(to) - foot_of(from)));
 }
 
-std::optional<Carried> WallMotion::carry(const ProxyState& proxy, Position handle) {
+std::optional<Carried> MovingWall::carry(const ProxyState& proxy, Position handle) {
     std::optional<ProxyState> found;
     if (proxy.contact_count == 0) {
         found = carry_free(proxy);
@@ -51,14 +51,14 @@ std::optional<Carried> WallMotion::carry(const ProxyState& proxy, Position handl
     return Carried{*found, way_m(proxy, *found, handle)};
 }
 
-std::optional<ProxyState> WallMotion::carry_free(const ProxyState& proxy) {
+std::optional<ProxyState> MovingWall::carry_free(const ProxyState& proxy) {
     const WallHit hit = first_wall(proxy.centre, {});
     if (is_cut_) return {};
     return hit.is_hit ? pushed(proxy, hit) : std::optional(proxy);
 }
 
 /// A wall that reaches a free proxy takes it along, on the side where it lay.
-std::optional<ProxyState> WallMotion::pushed(const ProxyState& proxy, const WallHit& hit) {
+std::optional<ProxyState> MovingWall::pushed(const ProxyState& proxy, const WallHit& hit) {
     Contact at;
     at.segment = hit.segment;
     at.parameter = hit.parameter;
@@ -79,7 +79,7 @@ std::optional<ProxyState> WallMotion::pushed(const ProxyState& proxy, const Wall
     return is_ok ? std::optional(next) : std::nullopt;
 }
 
-std::optional<ProxyState> WallMotion::carry_edge(const ProxyState& proxy) {
+std::optional<ProxyState> MovingWall::carry_edge(const ProxyState& proxy) {
     const Contact half = halved(proxy.contacts[0]);
     Contact at = joined(half);
     const Segment s = after_.segment(at.segment);
@@ -95,7 +95,7 @@ std::optional<ProxyState> WallMotion::carry_edge(const ProxyState& proxy) {
 /// Round a vertex the normal stays as it is while it lies in the arc between the edges' normals;
 /// else the edge under the proxy carries it. An edge is left out of the tests only if the new place
 /// lies on its right side by construction.
-std::optional<ProxyState> WallMotion::carry_round(const ProxyState& proxy) {
+std::optional<ProxyState> MovingWall::carry_round(const ProxyState& proxy) {
     const Contact& old = proxy.contacts[0];
     const Contact half = halved(old);
     const bool at_end = half.parameter > 0.5;
@@ -122,7 +122,7 @@ std::optional<ProxyState> WallMotion::carry_round(const ProxyState& proxy) {
 }
 
 /// The two edges at a contact's end after the motion.
-WallMotion::Joint WallMotion::joint_of(const Contact& at, bool at_end) {
+MovingWall::Joint MovingWall::joint_of(const Contact& at, bool at_end) {
     Joint joint;
     if (at.parameter != 0.0 && at.parameter != 1.0) return joint;  // not a vertex any more
     const Segment s = after_.segment(at.segment);
@@ -135,7 +135,7 @@ WallMotion::Joint WallMotion::joint_of(const Contact& at, bool at_end) {
     return joint;
 }
 
-bool WallMotion::Joint::holds(Direction normal) const {
+bool MovingWall::Joint::holds(Direction normal) const {
     const bool is_outward = dot(normal, outward) >= 0.0;
     return is_outward && (beside.piece < 0 || cross(own, other) * cross(normal, other) >= 0.0);
 }
@@ -143,7 +143,7 @@ bool WallMotion::Joint::holds(Direction normal) const {
 /// Held by two edges: goes to where the lines at the proxy's distance from both cross after the
 /// motion, on the same sides. If that place lies on neither edge any more, one of them carries the
 /// proxy on.
-std::optional<ProxyState> WallMotion::carry_corner(const ProxyState& proxy) {
+std::optional<ProxyState> MovingWall::carry_corner(const ProxyState& proxy) {
     const bool is_edges = !proxy.contacts[0].is_round && !proxy.contacts[1].is_round;
     if (is_edges) {
         const auto corner = carry_between(proxy);
@@ -159,7 +159,7 @@ std::optional<ProxyState> WallMotion::carry_corner(const ProxyState& proxy) {
     return carry_edge(single);
 }
 
-std::optional<ProxyState> WallMotion::carry_between(const ProxyState& proxy) {
+std::optional<ProxyState> MovingWall::carry_between(const ProxyState& proxy) {
     ProxyState next = proxy;
     Excluded before;
     Excluded halves;
@@ -196,13 +196,13 @@ std::optional<ProxyState> WallMotion::carry_between(const ProxyState& proxy) {
 
 /// Either the proxy goes first and the walls follow, or the other way round: both must bring it to
 /// the same side of everything. Its own edges stay beside it all the way.
-bool WallMotion::is_way_free(Position from, Position to, const Excluded& before,
+bool MovingWall::is_way_free(Position from, Position to, const Excluded& before,
                              const Excluded& halves, const Excluded& after) {
     if (is_free(before_, from, to, before) && !is_swept(to, halves)) return true;
     return !is_swept(from, halves) && is_free(after_, from, to, after);
 }
 
-bool WallMotion::is_free(RenderedOutlines& at, Position from, Position to,
+bool MovingWall::is_free(RenderedOutlines& at, Position from, Position to,
                          const Excluded& excluded) {
     const Motion motion{from, to, contact_skin_m, at.level(), excluded};
     const Hit hit = at.scene().tree.first_hit(at.scene().curves, motion, budget_);
@@ -211,12 +211,12 @@ bool WallMotion::is_free(RenderedOutlines& at, Position from, Position to,
     return !hit.is_hit && hit.clear >= 1.0;
 }
 
-bool WallMotion::is_swept(Position p, const Excluded& halves) {
+bool MovingWall::is_swept(Position p, const Excluded& halves) {
     const WallHit hit = first_wall(p, halves);
     return is_cut_ || hit.is_hit;
 }
 
-WallHit WallMotion::first_wall(Position p, const Excluded& halves) {
+WallHit MovingWall::first_wall(Position p, const Excluded& halves) {
     const Scene& scene = before_.scene();
     const WallHit hit = scene.tree.first_wall(scene.curves, p, change_, halves, budget_);
     budget_.boxes -= hit.boxes;
@@ -226,13 +226,13 @@ WallHit WallMotion::first_wall(Position p, const Excluded& halves) {
 }
 
 /// True if a half is one of the two that make a segment of the coarser level.
-bool WallMotion::is_pair(SegmentRef half) const {
+bool MovingWall::is_pair(SegmentRef half) const {
     const CurveSet& curves = before_.scene().curves;
     return (half.index | 1) < curves.segment_count(half.piece, change_.finer);
 }
 
 /// A contact at the level before, in segments of the octave's finer level.
-Contact WallMotion::halved(Contact contact) const {
+Contact MovingWall::halved(Contact contact) const {
     const CurveSet& curves = before_.scene().curves;
     const int coarsest = curves.piece(contact.segment.piece).coarsest;
     if (change_.finer >= coarsest || change_.from < 1.0) return contact;
@@ -245,7 +245,7 @@ Contact WallMotion::halved(Contact contact) const {
 }
 
 /// Converts back, at the level after.
-Contact WallMotion::joined(Contact half) const {
+Contact MovingWall::joined(Contact half) const {
     const CurveSet& curves = before_.scene().curves;
     const int coarsest = curves.piece(half.segment.piece).coarsest;
     if (change_.finer >= coarsest || change_.to < 1.0) return half;

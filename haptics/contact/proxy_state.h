@@ -46,12 +46,6 @@ static_assert(
     }() == sizeof(ContactSettings),
     "contact_fields() must name every member in its order");
 
-/// Coulomb's cone: how far along a line a pull may reach and not move what it presses on the line
-/// to this depth, in the unit of the depth.
-[[nodiscard]] inline double held_by_friction(double friction, double depth) {
-    return friction * depth;
-}
-
 enum class Side : std::int8_t { right = -1, left = 1 };
 
 [[nodiscard]] inline double sign_of(Side side) {

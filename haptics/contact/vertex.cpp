@@ -1,6 +1,7 @@
 // The arithmetic of vertices, and state 2 of a servo step: at the end of an edge, round a vertex,
 // or held by two contacts.
 #include "haptics/contact/contact_step.h"
+#include "haptics/contact/friction.h"
 
 #include <algorithm>
 #include <cmath>
@@ -93,11 +94,7 @@ ArcGoal arc_goal(Direction n, Position pull, double offset_m, double to_left_rad
         stop = std::max(0.0, to_pull - std::acos(offset_m / distance));
         goal.end = ArcGoal::End::free;
     } else if (friction > 0.0) {
-        // At angle b before the pull's direction: distance sin b = friction (offset - distance cos
-        // b).
-        const double lean = std::atan(friction);
-        const double sine = offset_m * std::sin(lean) / distance;
-        stop = sine < 1.0 ? std::max(0.0, to_pull - (std::asin(sine) - lean)) : 0.0;
+        stop = std::max(0.0, to_pull - angle_held_by_friction_rad(friction, offset_m, distance));
     }
     goal.angle_rad = stop;
     if (to_edge < stop) {

@@ -161,7 +161,8 @@ void for_each_update(const Step& step, std::span<const Position> details, Take t
     for (Index i = regular_end; i < step.evens; ++i) take(i, update(step, details, i));
 }
 
-// The analysis filters, by distance from their middle tap (wavelet.h).
+// What prediction and update above amount to as two filters, by distance from their middle tap
+// (wavelet.h). noise_gains() alone uses them.
 constexpr std::array low_pass{348.0 / 512, 144.0 / 512, -63.0 / 512, -16.0 / 512,
                               18.0 / 512,  0.0,         -1.0 / 512};
 constexpr std::array high_pass{1.0, -9.0 / 16, 0.0, 1.0 / 16};
