@@ -4,7 +4,7 @@
 
 #include "haptics/device/simulated_pantograph.h"
 #include "haptics/safety/hand_presence.h"
-#include "tests/haptics/tick.h"
+#include "tests/haptics/safety/chains.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +15,6 @@
 
 namespace touchline {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 TEST(SpeedLimit, LeavesWhatBrakesAndWhatGoesAcross) {
     const Force across = without_drive({1.0, 2.0}, {3.0, 0.0});

@@ -1,6 +1,6 @@
 #include "haptics/safety/stability_monitor.h"
 
-#include "tests/haptics/tick.h"
+#include "tests/haptics/safety/chains.h"
 
 #include <cmath>
 #include <limits>
@@ -141,7 +141,6 @@ TEST(StabilityMonitor, RestoresByFivePerCentOfTheWholeASecond) {
 }
 
 TEST(StabilityMonitor, NonsenseBeginsAnewAndKeepsTheGain) {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
     StabilityMonitor monitor = rung(0.5, 80.0, 170);
     const double cut = monitor.gain();
     EXPECT_EQ(monitor.step({{nan, 0.0}, {}, 0.0}, tick_s), cut);
@@ -153,7 +152,7 @@ TEST(StabilityMonitor, NonsenseBeginsAnewAndKeepsTheGain) {
 
 /// Earlier energy, spring and swings count for nothing.
 TEST(StabilityMonitor, AfterNonsenseNothingIsCompared) {
-    const StabilityMonitor::Tick nonsense{{std::numeric_limits<double>::quiet_NaN(), 0.0}, {}, 0.0};
+    const StabilityMonitor::Tick nonsense{{nan, 0.0}, {}, 0.0};
     StabilityMonitor spring;
     spring.step({{1.0, 0.0}, {}, 0.0}, tick_s);
     spring.step(nonsense, tick_s);

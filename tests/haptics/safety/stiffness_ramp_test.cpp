@@ -1,4 +1,5 @@
 #include "haptics/safety/stability_monitor.h"
+#include "tests/haptics/safety/chains.h"
 
 #include <cmath>
 #include <limits>
@@ -38,7 +39,6 @@ TEST(StiffnessRamp, BooksTheEnergyPutIntoTheSpring) {
 }
 
 TEST(StiffnessRamp, NonsenseChangesNothing) {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     StiffnessRamp ramp(500.0);
     for (const double bad : {nan, 0.0, -1.0, std::numeric_limits<double>::infinity()}) {
         EXPECT_EQ(ramp.step(bad, 0.001, 1e-3), 500.0);

@@ -130,9 +130,8 @@ TEST(RealTimeTier, OfAServoWithMotorsThatAnOrdinaryUserStartsIsNoBetterThanC) {
         Servo servo;
         ServoOptions options;
         options.has_motors = true;
-        const Position above{0.0, 0.01};
-        const auto started =
-            servo.start(std::make_unique<PlacedDevice>(above), default_profile(), options);
+        const auto started = servo.start(std::make_unique<PlacedDevice>(Position{0.0, 0.01}),
+                                         default_profile(), options);
         if (!started) return 98;
         while (servo.latest().ticks < 10) std::this_thread::yield();
         return static_cast<int>(servo.tier().value());

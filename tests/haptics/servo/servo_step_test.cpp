@@ -176,7 +176,7 @@ TEST(ServoStep, TheOperatorSetsLevelRangeAndStiffnessUnderAPressingHand) {
 }
 
 /// A device that resolves 1 um, so that level 0 of a circle of 1 um edges is not too fine for it.
-DeviceProfile fine_device() {
+DeviceProfile device_of_fine_counts() {
     DeviceProfile profile = default_profile();
     profile.counts_per_turn = 1000.0 * profile.counts_per_turn;
     return profile;
@@ -188,7 +188,7 @@ TEST(ServoStep, AFinestLevelThatTheTickCannotAffordIsNotReached) {
     TactileMap map;
     map.outlines.push_back(scenes::circle(radius_m, 188000));
     const Scene scene = build_scene(map, {}, 0.0).value();
-    Bench bench(fine_device());
+    Bench bench(device_of_fine_counts());
     bench.input.scene = &scene;
     bench.input.commands.is_level_auto = false;
     double turn_rad = 0.0;
