@@ -12,6 +12,9 @@ constexpr std::string_view how_to_enter =
     "Press Up once for 1, twice for 2, Down once for 0. Press Select to accept each digit. After "
     "the last one, press Select once more.";
 
+// The words of the PIN's screens name the lengths.
+static_assert(shortest_pin == 4 && longest_pin == 8);
+
 constexpr auto places = std::to_array<PlaceRow>({
     {P::pin, P::closed, "PIN of the operator", how_to_enter, "", false},
     {P::new_pin, P::closed, "Choose a PIN of 4 to 8 digits", how_to_enter, "", false},

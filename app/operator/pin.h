@@ -27,7 +27,7 @@ struct PinEntry {
 /// Appends the digit, unless the entry is full or no digit was turned to.
 [[nodiscard]] PinEntry with_digit_taken(PinEntry entry);
 
-/// Digits only, 4 to 8.
+/// Digits only, `shortest_pin` to `longest_pin` of them.
 [[nodiscard]] bool is_pin(const std::string& text);
 
 /// From the fifth on, each wrong PIN costs time: 60 s, doubled by the next, at most an hour.

@@ -123,6 +123,7 @@ void add_remedies(std::string& text, const StickRest& rest, const Language& lang
                                    rest.office_files));
     }
     const auto say = [&](const char* english) { add(text, language.text("stick", english)); };
+    static_assert(deepest_folder == 8);  // as the sentence says
     if (rest.has_deeper)
         say("Folders within eight others were left out. Put their files nearer to the top.");
     if (rest.has_unreadable)
