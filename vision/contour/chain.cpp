@@ -152,30 +152,12 @@ std::vector<EdgePoint> evenly_spaced(const std::vector<EdgePoint>& line, int n) 
 }
 
 Chain resampled(const Chain& chain, double spacing_px) {
-    if (chain.points.empty()) return chain;
-    std::vector<EdgePoint> points = chain.points;
-    if (chain.is_closed) {
-        const auto fixed = std::ranges::find_if(points, &EdgePoint::is_fixed);
-        if (fixed == points.end()) return even_ring(std::move(points), spacing_px);
-        std::ranges::rotate(points, fixed);
-        points.push_back(points.front());
-    }
-    Chain even{{points.front()}, chain.is_closed};
-    std::vector<EdgePoint> run{points.front()};
-    int corners = 0;
-    for (std::size_t i = 1; i < points.size(); ++i) {
-        run.push_back(points[i]);
-        if (points[i].is_fixed || i + 1 == points.size()) {
-            // A closed outline needs three points, whatever its size.
-            const bool is_whole_ring = chain.is_closed && corners == 0 && i + 1 == points.size();
-            const std::vector<EdgePoint> part = even_run(run, spacing_px, is_whole_ring ? 4 : 1);
-            even.points.insert(even.points.end(), part.begin() + 1, part.end());
-            run = {points[i]};
-            ++corners;
-        }
-    }
-    if (chain.is_closed) even.points.pop_back();
-    return even;
+    if (is_free_ring(chain)) return even_ring(chain.points, spacing_px);
+    return with_runs_changed(chain, [&](const std::vector<EdgePoint>& run) {
+        // A closed outline needs three points, whatever its size.
+        const bool is_whole_ring = run.size() > chain.points.size();
+        return even_run(run, spacing_px, is_whole_ring ? 4 : 1);
+    });
 }
 
 }  // namespace touchline

@@ -203,6 +203,35 @@ void cut_by_place(const Chain& line, PlaceOf place_of, Add add) {
     }
 }
 
+/// Whether a closed chain has points and none that is fixed.
+[[nodiscard]] inline bool is_free_ring(const Chain& chain) {
+    return chain.is_closed && !chain.points.empty() &&
+           std::ranges::none_of(chain.points, &EdgePoint::is_fixed);
+}
+
+/// Returns the chain with other points from each fixed one (or end) to the next: what `changed`
+/// makes of that run, ends included. A ring is no free one and begins at a fixed point.
+template <class Changed>
+[[nodiscard]] Chain with_runs_changed(const Chain& chain, Changed changed) {
+    if (chain.points.empty()) return chain;
+    std::vector<EdgePoint> points = chain.points;
+    if (chain.is_closed) {
+        std::ranges::rotate(points, std::ranges::find_if(points, &EdgePoint::is_fixed));
+        points.push_back(points.front());
+    }
+    Chain made{{points.front()}, chain.is_closed};
+    std::vector<EdgePoint> run{points.front()};
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        run.push_back(points[i]);
+        if (!points[i].is_fixed && i + 1 < points.size()) continue;
+        const std::vector<EdgePoint> part = changed(run);
+        made.points.insert(made.points.end(), part.begin() + 1, part.end());
+        run = {points[i]};
+    }
+    if (chain.is_closed) made.points.pop_back();
+    return made;
+}
+
 /// Returns the chain with points about `spacing_px` apart (equal arc lengths between two fixed
 /// points), smoothed along the line by about one spacing; fixed points and ends are kept exactly. A
 /// chain without points stays without; a ring gets at least four, all in one place if it had only

@@ -231,29 +231,14 @@ class EvenRun {
 }  // namespace
 
 Chain with_sharp_corners(const Chain& chain, double blur_px, const Accepts& accepts) {
-    if (chain.points.empty()) return chain;
-    std::vector<EdgePoint> points = chain.points;
-    if (chain.is_closed) {
-        const auto fixed = std::ranges::find_if(points, &EdgePoint::is_fixed);
-        if (fixed == points.end()) {
-            points.push_back(points.front());
-            return {EvenRun(points, true, blur_px).sharpened(accepts), true};
-        }
-        std::ranges::rotate(points, fixed);
+    if (is_free_ring(chain)) {
+        std::vector<EdgePoint> points = chain.points;
         points.push_back(points.front());
+        return {EvenRun(points, true, blur_px).sharpened(accepts), true};
     }
-    Chain sharp{{points.front()}, chain.is_closed};
-    std::vector<EdgePoint> run{points.front()};
-    for (std::size_t i = 1; i < points.size(); ++i) {
-        run.push_back(points[i]);
-        if (points[i].is_fixed || i + 1 == points.size()) {
-            const std::vector<EdgePoint> part = EvenRun(run, false, blur_px).sharpened(accepts);
-            sharp.points.insert(sharp.points.end(), part.begin() + 1, part.end());
-            run = {points[i]};
-        }
-    }
-    if (chain.is_closed) sharp.points.pop_back();
-    return sharp;
+    return with_runs_changed(chain, [&](const std::vector<EdgePoint>& run) {
+        return EvenRun(run, false, blur_px).sharpened(accepts);
+    });
 }
 
 }  // namespace touchline

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <iterator>
 #include <utility>
-#include <vector>
 
 #include <opencv2/dnn.hpp>
 #include <opencv2/imgproc.hpp>

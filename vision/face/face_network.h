@@ -3,8 +3,8 @@
 // Threads: pure functions; one object, one thread at a time (OpenCV uses its own inside).
 #pragma once
 
+#include "vision/face/face_lines.h"
 #include "vision/face/face_map.h"
-#include "vision/face/face_mesh.h"
 #include "vision/network/trained_network.h"
 
 #include <optional>

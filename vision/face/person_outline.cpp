@@ -1,7 +1,6 @@
 #include "vision/contour/chain.h"
 #include "vision/contour/rings.h"
 #include "vision/face/face_lines.h"
-#include "vision/face/face_mesh.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,7 +1,6 @@
 #include "vision/simplify/selection.h"
 
 #include "config/types/map_bytes.h"
-#include "vision/simplify/shaping.h"
 #include "vision/simplify/surroundings.h"
 #include "vision/simplify/zoom.h"
 

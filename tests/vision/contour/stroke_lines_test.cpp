@@ -14,6 +14,7 @@ using testing::Pictogram;
 using testing::Polyline;
 
 constexpr double pictogram_units = 24.0;
+const cv::Scalar ink(60, 30, 20);
 
 /// How a pictogram lies on a picture: its size, its strokes' width, its turn, its look.
 struct Setting {
@@ -28,9 +29,14 @@ std::vector<Setting> settings() {
             {160.0, 1.4, 90.0, 3}, {320.0, 1.0, 7.0, 4},  {220.0, 1.6, 200.0, 5}};
 }
 
-std::vector<Polyline> placed(const Pictogram& pictogram, const Setting& setting, double margin_px) {
+double margin_px(const Setting& setting) {
+    return 0.35 * setting.size_px;
+}
+
+std::vector<Polyline> placed(const Pictogram& pictogram, const Setting& setting) {
     const double scale = setting.size_px / pictogram_units;
-    const cv::Point2d middle(0.5 * setting.size_px + margin_px, 0.5 * setting.size_px + margin_px);
+    const double middle_px = 0.5 * setting.size_px + margin_px(setting);
+    const cv::Point2d middle(middle_px, middle_px);
     const cv::Point2d corner =
         testing::placed({{{-12.0, -12.0}}, false}, middle, scale, setting.angle_deg).points.front();
     std::vector<Polyline> lines;
@@ -63,19 +69,29 @@ std::string name_of(const Pictogram& pictogram, const Setting& setting) {
            std::to_string(setting.effects);
 }
 
+double stroke_px(const Setting& setting) {
+    return setting.width_units * setting.size_px / pictogram_units;
+}
+
+Canvas empty_sheet(const Setting& setting) {
+    const int side = static_cast<int>(setting.size_px + 2.0 * margin_px(setting));
+    return {{side, side}, {245, 250, 250}};
+}
+
+std::vector<Chain> lines_of(const Canvas& sheet, const Setting& setting) {
+    return traced(testing::seen(sheet.picture(), testing::effects_of_kind(setting.effects, 3)),
+                  2.0 * stroke_px(setting));
+}
+
 TEST(StrokeLines, MiddleLinesOfPictogramsWithinHalfAStroke) {
     for (const Setting& setting : settings()) {
-        const double width_px = setting.width_units * setting.size_px / pictogram_units;
+        const double width_px = stroke_px(setting);
         for (const Pictogram& pictogram : testing::pictograms()) {
             SCOPED_TRACE(name_of(pictogram, setting));
-            const double margin_px = 0.35 * setting.size_px;
-            const int side = static_cast<int>(setting.size_px + 2.0 * margin_px);
-            const std::vector<Polyline> truth = placed(pictogram, setting, margin_px);
-            Canvas canvas({side, side}, {245, 250, 250});
-            canvas.stroke(truth, width_px, {60, 30, 20});
-            const std::vector<Chain> chains = traced(
-                testing::seen(canvas.picture(), testing::effects_of_kind(setting.effects, 3)),
-                2.0 * width_px);
+            const std::vector<Polyline> truth = placed(pictogram, setting);
+            Canvas sheet = empty_sheet(setting);
+            sheet.stroke(truth, width_px, ink);
+            const std::vector<Chain> chains = lines_of(sheet, setting);
             const std::vector<Polyline> lines = polylines(chains);
             EXPECT_LE(testing::farthest_px(truth, lines), 0.5 * width_px);
             EXPECT_LE(testing::farthest_px(lines, truth), 0.5 * width_px);
@@ -99,20 +115,16 @@ TEST(StrokeLines, TheBorderOfAHardEdgedShapeHasAStrength) {
 
 TEST(StrokeLines, FilledPictogramsGiveTheirOutline) {
     for (const Setting& setting : settings()) {
-        const double width_px = setting.width_units * setting.size_px / pictogram_units;
+        const double width_px = stroke_px(setting);
         for (const Pictogram& pictogram : testing::pictograms()) {
             if (!pictogram.lines.front().is_closed) {
                 continue;
             }
             SCOPED_TRACE(name_of(pictogram, setting));
-            const double margin_px = 0.35 * setting.size_px;
-            const int side = static_cast<int>(setting.size_px + 2.0 * margin_px);
-            const std::vector<Polyline> truth{placed(pictogram, setting, margin_px).front()};
-            Canvas canvas({side, side}, {245, 250, 250});
-            canvas.fill(truth, {60, 30, 20});
-            const std::vector<Chain> chains = traced(
-                testing::seen(canvas.picture(), testing::effects_of_kind(setting.effects, 3)),
-                2.0 * width_px);
+            const std::vector<Polyline> truth{placed(pictogram, setting).front()};
+            Canvas sheet = empty_sheet(setting);
+            sheet.fill(truth, ink);
+            const std::vector<Chain> chains = lines_of(sheet, setting);
             ASSERT_EQ(chains.size(), 1U);
             EXPECT_TRUE(chains.front().is_closed);
             EXPECT_EQ(chains.front().width_px, 0.0);

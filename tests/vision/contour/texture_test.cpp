@@ -1,5 +1,4 @@
-#include "vision/contour/texture.h"
-
+#include "vision/contour/photo_lines.h"
 #include "vision/contour/rings.h"
 
 #include <algorithm>

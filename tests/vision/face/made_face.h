@@ -3,7 +3,6 @@
 #pragma once
 
 #include "vision/face/face_lines.h"
-#include "vision/face/face_mesh.h"
 
 #include <string>
 

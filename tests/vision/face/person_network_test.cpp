@@ -1,7 +1,7 @@
 // The shipped network on pictures that the tests draw.
 #include "app/documents/decode/files.h"
 #include "tests/vision/face/made_face.h"
-#include "vision/face/face_mesh.h"
+#include "vision/face/face_lines.h"
 #include "vision/face/face_network.h"
 
 #include <limits>
