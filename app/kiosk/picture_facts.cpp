@@ -1,11 +1,14 @@
 #include "app/kiosk/picture_facts.h"
 
+#include "app/visit/screen_model.h"
 #include "app/visit/told_lines.h"
 #include "config/types/thing_name.h"
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <string_view>
+#include <utility>
 
 namespace touchline {
 namespace {
@@ -89,15 +92,26 @@ std::optional<std::size_t> nearest_spot(const std::vector<PartFacts>& parts, Pos
     return nearest;
 }
 
-/// Programs make a title without a blank from a file's name.
-std::string title_of(const std::string& title, const PictureFile& file, const NameForm& form,
-                     const Language& language) {
-    const std::string& name = file.file_name;
-    if (title == file.title && !name.empty()) return spoken_name(name, language, form);
-    const bool is_of_a_person = title.empty() || title.find(' ') != std::string::npos;
-    if (is_of_a_person) return title;
-    const std::string said = spoken_name(title, language);
-    return said == spoken_name(name, language) ? spoken_name(name, language, form) : said;
+/// The title that the document has beside its name in the list; empty if there is none, or if it
+/// sounds like the name, so that a list of both would tell them apart. Programs make a title
+/// without a blank from a file's name.
+std::string own_title(const std::string& title, const PictureFile& file, const Language& language) {
+    if (title.empty() || title == file.title) return {};
+    const std::array names{file.file_name, title};
+    const std::vector<NameForm> plain(names.size());
+    if (spoken_forms(names, std::span(&language, 1)) != plain) return {};
+    return title.find(' ') == std::string::npos ? spoken_name(title, language) : title;
+}
+
+/// Title and description. The gallery's pictures and photographs are no files of a list.
+void name(PictureFacts& facts, const std::string& title, const PictureFile& file,
+          const NameForm& form, const Language& language) {
+    facts.title = title;
+    if (file.file_name.empty()) return;
+    facts.title = spoken_name(file.file_name, language, form);
+    std::string description = own_title(title, file, language);
+    add_sentence(description, facts.description);
+    facts.description = std::move(description);
 }
 
 }  // namespace
@@ -126,8 +140,8 @@ PictureFacts facts_of(const LoadedScene& scene, const PictureFile& file, const N
                       const Language& language) {
     const TactileMap& map = *scene.felt.map;
     PictureFacts facts;
-    facts.title = title_of(scene.facts.title, file, form, language);
     facts.description = map.description;
+    name(facts, scene.facts.title, file, form, language);
     facts.place = scene.facts.place;
     facts.outline_count = scene.facts.outline_count;
     facts.note = told_of_file(scene.facts.note, crowded_picture, language);

@@ -18,9 +18,9 @@ namespace touchline {
 /// A hand this near a spot counts as on it: half of what a fingertip covers.
 inline constexpr double spot_m = 0.004;
 
-/// Keeps a title that a person chose; if the title is a file's name, says the name as its list says
-/// it, in `form`. Parts are the named outlines, each name once, then the spots. O(outlines +
-/// labels).
+/// The title of a visitor's file is its name as its list says it, in `form`: what was chosen is
+/// what is heard. A title of the document's own begins the description. Parts are the named
+/// outlines, each name once, then the spots. O(outlines + labels).
 [[nodiscard]] PictureFacts facts_of(const LoadedScene& scene, const PictureFile& file,
                                     const NameForm& form, const Language& language);
 

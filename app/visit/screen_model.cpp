@@ -46,13 +46,16 @@ void add_sentence(std::string& text, const std::string& sentence) {
     text += sentence;
 }
 
+std::string told_place_among(std::size_t number, std::size_t count, const Language& language) {
+    if (count <= 1) return {};
+    return language.text("screen", "{0} of {1}", {std::to_string(number), std::to_string(count)});
+}
+
 std::string told_place(const SpokenScreen& screen, std::size_t item, const Language& language) {
-    const std::string& own = screen.items.at(item).place;
     const bool has_places = std::ranges::any_of(
-        screen.items, [](const ScreenItem& each) { return !each.place.empty(); });
-    if (has_places) return own;
-    return language.text("screen", "{0} of {1}",
-                         {std::to_string(item + 1), std::to_string(screen.items.size())});
+        screen.items, [](const ScreenItem& each) { return each.place.has_value(); });
+    if (has_places) return screen.items.at(item).place.value_or(std::string());
+    return told_place_among(item + 1, screen.items.size(), language);
 }
 
 std::string spoken_item(const SpokenScreen& screen, std::size_t item, const Language& language) {

@@ -24,7 +24,8 @@ struct ScreenItem {
     std::string name;        // never empty
     std::string value;       // of a setting or toggle, in words; else empty
     std::string hint;        // one sentence, said after a pause; may be empty
-    std::string place = {};  // "picture 37 of 205"; empty: that among the items of the screen
+    /// "picture 37 of 205", or empty; nothing: that among the items of the screen.
+    std::optional<std::string> place = {};
 
     friend bool operator==(const ScreenItem&, const ScreenItem&) = default;
 };
@@ -45,8 +46,12 @@ struct SpokenScreen {
     friend bool operator==(const SpokenScreen&, const SpokenScreen&) = default;
 };
 
-/// The item's own place, else "2 of 5"; empty for a way out beside items that have places of their
-/// own. `item` is an index of screen.items.
+/// "2 of 5"; empty for the only one.
+[[nodiscard]] std::string told_place_among(std::size_t number, std::size_t count,
+                                           const Language& language);
+
+/// The item's own place, else that among the items; empty for a way out beside items that have
+/// places of their own. `item` is an index of screen.items.
 [[nodiscard]] std::string told_place(const SpokenScreen& screen, std::size_t item,
                                      const Language& language);
 

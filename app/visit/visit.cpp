@@ -63,9 +63,13 @@ void take(VisitWork& work, const StickGone& gone) {
     if (!gone.sentence.empty()) return show_trouble(work, gone.sentence, TroubleKind::stick);
     if (!had_stick) return;
     cue(work, ScreenEvent::news);
-    const std::string told = words(work, "The USB stick is out. Your picture stays open.");
-    if (open_screen(work) == VisitScreen::stick) return say_item(work, told);
-    say(work, told, SpeechPriority::hint);
+    std::string told = words(work, "The USB stick is out.");
+    if (visitor.felt) add_sentence(told, words(work, "Your picture stays open."));
+    if (open_screen(work) != VisitScreen::stick) return say(work, told, SpeechPriority::hint);
+    if (visitor.has_stick) return say_return(work, told);  // the pictures given at the start
+    add_sentence(told, screen_of(work).title);
+    add_sentence(told, words(work, "Put one into the USB slot; nothing is written to it."));
+    say_item(work, told);
 }
 
 void take(VisitWork& work, const HeadphonesChanged& change) {

@@ -42,6 +42,10 @@ std::string letter_in_words(const std::string& letter, const Language& language)
     return letter.empty() ? language.text("visit", "other signs") : letter;
 }
 
+std::string pictures_in_words(std::size_t count, const Language& language) {
+    return language.counted("count", "{0} picture", "{0} pictures", static_cast<int>(count));
+}
+
 /// The pictures of a list, row by row.
 class PictureRows {
   public:
@@ -84,13 +88,23 @@ class PictureRows {
         return parts_of(part, size(), [this](std::size_t row) { return begins_key(row); });
     }
 
-    /// "very easy", "A to C"; "boat 101 to boat 130" where a letter or grade goes on.
+    /// "very easy", "A to C"; "Pictures 40 to 45" where a letter or grade goes on.
     [[nodiscard]] std::string name_of(const ListPart& part) const {
-        const std::size_t last = part.end - 1;
-        const bool is_by_key = begins_key(part.first) && begins_key(part.end);
-        const std::string from = is_by_key ? key_at(part.first) : name_at(part.first);
-        const std::string to = is_by_key ? key_at(last) : name_at(last);
+        if (!is_by_key(part))
+            return language_.text("visit", "Pictures {0} to {1}",
+                                  {std::to_string(part.first + 1), std::to_string(part.end)});
+        const std::string from = key_at(part.first);
+        const std::string to = key_at(part.end - 1);
         return from == to ? from : language_.text("visit", "{0} to {1}", {from, to});
+    }
+
+    /// What its name leaves open: "35 pictures", or which they are. A name tells where one is in a
+    /// stick's order; in that of the gallery it would only be long.
+    [[nodiscard]] std::string told_pictures(const ListPart& part) const {
+        if (is_by_key(part)) return pictures_in_words(part.size(), language_);
+        const std::string first = name_at(part.first);
+        if (!stick_) return language_.text("visit", "first: {0}", {first});
+        return language_.text("visit", "{0} to {1}", {first, name_at(part.end - 1)});
     }
 
   private:
@@ -102,6 +116,10 @@ class PictureRows {
         if (row == 0 || row == size()) return true;
         if (stick_) return stick_->letters[row] != stick_->letters[row - 1];
         return picture_at(row).difficulty != picture_at(row - 1).difficulty;
+    }
+
+    [[nodiscard]] bool is_by_key(const ListPart& part) const {
+        return begins_key(part.first) && begins_key(part.end);
     }
 
     [[nodiscard]] std::string key_at(std::size_t row) const {
@@ -128,17 +146,13 @@ PictureRows rows_of(const VisitWork& work, PictureSource source) {
     return {source, work.visitor, work.world, language_of(work)};
 }
 
-std::string pictures_in_words(std::size_t count, const Language& language) {
-    return language.counted("count", "{0} picture", "{0} pictures", static_cast<int>(count));
-}
-
 // What a list shows.
 
 bool shows_part(const VisitSheet& sheet) {
     return sheet.visitor().path.back().end > 0;
 }
 
-/// The grade of a picture, unless it is that of the whole part, whose name said it.
+/// The grade of a picture, unless it is that of the whole part, which was chosen by it.
 std::string told_grade(const VisitSheet& sheet, const PictureRows& rows, std::size_t row) {
     const ListPart part = shown_part(sheet.visitor().path.back(), rows.size());
     const bool is_of_part =
@@ -146,10 +160,16 @@ std::string told_grade(const VisitSheet& sheet, const PictureRows& rows, std::si
     return is_of_part ? std::string() : rows.value_at(row);
 }
 
+/// The place of a picture in the whole list; empty for the only one.
+std::string told_picture_place(const VisitSheet& sheet, const PictureRows& rows, std::size_t row) {
+    if (rows.size() == 1) return {};
+    return sheet.language.text("visit", "picture {0} of {1}",
+                               {std::to_string(row + 1), std::to_string(rows.size())});
+}
+
 void write_picture_row(VisitSheet& sheet, const PictureRows& rows, std::size_t row) {
     sheet.row(row, rows.name_at(row), told_grade(sheet, rows, row), "Press Select to open it.",
-              sheet.language.text("visit", "picture {0} of {1}",
-                                  {std::to_string(row + 1), std::to_string(rows.size())}));
+              told_picture_place(sheet, rows, row));
 }
 
 /// A picture that is a part by itself is shown at once.
@@ -157,10 +177,9 @@ void write_part(VisitSheet& sheet, const PictureRows& rows, const std::vector<Li
                 std::size_t number) {
     const ListPart& part = parts[number];
     if (part.size() == 1) return write_picture_row(sheet, rows, part.first);
-    sheet.row(part.first, rows.name_of(part), pictures_in_words(part.size(), sheet.language),
+    sheet.row(part.first, rows.name_of(part), rows.told_pictures(part),
               "Press Select for these pictures.",
-              sheet.language.text("screen", "{0} of {1}",
-                                  {std::to_string(number + 1), std::to_string(parts.size())}));
+              told_place_among(number + 1, parts.size(), sheet.language));
 }
 
 template <PictureSource source>
@@ -173,12 +192,10 @@ void write_list(VisitSheet& sheet) {
     for (std::size_t row = part.first; row < part.end; ++row) write_picture_row(sheet, rows, row);
 }
 
-/// A part is called as its row was.
+/// A part is called as its row was, which told the rest.
 void write_name_of_part(VisitSheet& sheet, PictureSource source) {
     const PictureRows rows = rows_of(sheet, source);
-    const ListPart part = shown_part(sheet.visitor().path.back(), rows.size());
-    sheet.screen.title = rows.name_of(part);
-    sheet.told(pictures_in_words(part.size(), sheet.language));
+    sheet.screen.title = rows.name_of(shown_part(sheet.visitor().path.back(), rows.size()));
 }
 
 void write_gallery(VisitSheet& sheet) {

@@ -142,7 +142,7 @@ void VisitSheet::told(const std::string& text) {
 }
 
 void VisitSheet::row(std::size_t number, const std::string& name, const std::string& value,
-                     const char* hint, const std::string& place) {
+                     const char* hint, const std::optional<std::string>& place) {
     screen.items.push_back({static_cast<int>(VisitItem::entry) + static_cast<int>(number),
                             ItemRole::choice, name, value,
                             words(hint == nullptr ? hint_of_choice(world) : hint), place});

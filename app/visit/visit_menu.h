@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -37,7 +38,7 @@ struct VisitSheet {
 
     /// `hint`: nothing is that of its kind. `place`: ScreenItem::place.
     void row(std::size_t number, const std::string& name, const std::string& value = {},
-             const char* hint = nullptr, const std::string& place = {});
+             const char* hint = nullptr, const std::optional<std::string>& place = {});
 };
 
 using VisitAct = void (*)(VisitWork&);

@@ -82,9 +82,11 @@ std::string told_zoom(const VisitSheet& sheet) {
                                 words_of(place_of(zoom.centre, CueArea{}), sheet.language)});
 }
 
+/// Of a single part the item's name tells enough.
 std::string told_part_count(const VisitSheet& sheet) {
-    return sheet.language.counted("count", "{0} part", "{0} parts",
-                                  static_cast<int>(facts_of(sheet).parts.size()));
+    const auto count = static_cast<int>(facts_of(sheet).parts.size());
+    if (count == 1) return {};
+    return sheet.language.counted("count", "{0} part", "{0} parts", count);
 }
 
 /// What would be undone.
@@ -136,8 +138,7 @@ void write_parts(VisitSheet& sheet) {
         sheet.row(i, parts[i].name,
                   words_of(place_of(parts[i].middle_W, CueArea{}), sheet.language),
                   "Press Select, and the handle guides you to the part.",
-                  sheet.language.text("screen", "{0} of {1}",
-                                      {std::to_string(i + 1), std::to_string(parts.size())}));
+                  told_place_among(i + 1, parts.size(), sheet.language));
     }
 }
 

@@ -82,7 +82,7 @@ bool BlindVisitor::choose_picture(const std::string& name) {
     for (std::size_t i = 0; i < count; ++i) {
         press(KeyRole::down);
         const SpokenScreen now = world_.kiosk().screen();
-        const std::string& place = now.items[*now.focus].place;
+        const std::string place = now.items[*now.focus].place.value_or("");
         const bool is_picture = place.starts_with(of_picture);
         const bool is_way_out = place.empty();
         if (is_way_out || (is_picture && !names(heard(), name))) continue;

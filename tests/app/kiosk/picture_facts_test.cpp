@@ -31,16 +31,31 @@ PictureFile of_file(const std::string& name) {
     return {"", "", "", true, {}, name};
 }
 
-TEST(PictureFacts, ATitleThatAPersonGaveIsSaidElseTheNameOfTheFile) {
+TEST(PictureFacts, AFileIsCalledByItsNameAndItsOwnTitleBeginsTheDescription) {
     LoadedScene scene = house();
-    const auto title = [&scene](const std::string& file) {
-        return facts_of(scene, of_file(file), {}, Language()).title;
+    const PictureFile file{"house 5.svg", "house 5", "", true, {}, "house 5.svg"};
+    const auto facts = [&](const std::string& title) {
+        scene.facts.title = title;
+        return facts_of(scene, file, {}, Language());
     };
-    scene.facts.title = "The house (of 1950)";
-    EXPECT_EQ(title("IMG_20230405_101500.jpg"), "The house (of 1950)");
-    scene.facts.title = "";
-    EXPECT_EQ(title("IMG_20230405_101500.jpg"), "photo of 5th April 2023, 10:15");
-    EXPECT_EQ(title(""), "") << "a photograph has no name";
+    EXPECT_EQ(facts("The house (of 1950)").title, "house 5");
+    EXPECT_EQ(facts("The house (of 1950)").description, "The house (of 1950). From the front.");
+    EXPECT_EQ(facts("Our_house.svg").description, "Our house. From the front.")
+        << "a program wrote it";
+    for (const char* same : {"", "house 5", "House 5", "house_5", "house_5.svg"}) {
+        EXPECT_EQ(facts(same).title, "house 5") << same;
+        EXPECT_EQ(facts(same).description, "From the front.") << same << ": the name says it";
+    }
+}
+
+TEST(PictureFacts, ThePicturesOfTheGalleryAndPhotographsHaveNoNameOfAFile) {
+    LoadedScene scene = house();
+    for (const char* title : {"", "A house", "SOS"}) {
+        scene.facts.title = title;
+        const PictureFacts facts = facts_of(scene, of_file(""), {}, Language());
+        EXPECT_EQ(facts.title, title);
+        EXPECT_EQ(facts.description, "From the front.");
+    }
 }
 
 /// The list says "photo 20 41, J P G", because there is a "photo 20 41, H E I C" too.
@@ -56,14 +71,10 @@ TEST(PictureFacts, TheNameOfAFileIsSaidAsItsListSaysIt) {
         EXPECT_EQ(title({NameDetail::with_ending}), "photo 20 41, J P G") << in_file;
         EXPECT_EQ(title({NameDetail::whole, 2}), "I M G 20 41, J P G, number 2") << in_file;
     }
-    scene.facts.title = "Guernica";
-    EXPECT_EQ(title({NameDetail::with_ending}), "Guernica") << "the picture's own";
 }
 
 TEST(PictureFacts, NamesOfLinesOnceThenSpots) {
     const PictureFacts facts = facts_of(house(), of_file(""), {}, Language());
-    EXPECT_EQ(facts.title, "photo 20 41") << "what a program took from a file's name";
-    EXPECT_EQ(facts.description, "From the front.");
     EXPECT_EQ(facts.place, (PagePlace{2, 5, 1, 3}));
     ASSERT_EQ(facts.parts.size(), 2U);
     EXPECT_EQ(facts.parts[0].name, "wall");

@@ -138,7 +138,7 @@ bool FakeHouse::choose_picture(const std::string& name) {
     if (choose(name)) return true;
     for (std::size_t i = 0; i < screen().items.size(); ++i) {
         const SpokenScreen now = screen();
-        const std::string& place = now.items[*now.focus].place;
+        const std::string place = now.items[*now.focus].place.value_or("");
         if (!place.empty() && !place.starts_with("picture ")) {
             press(KeyRole::select);
             if (choose_picture(name)) return true;

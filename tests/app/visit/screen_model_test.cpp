@@ -62,6 +62,21 @@ TEST(ScreenModel, ItemsWithPlacesOfTheirOwnAreCountedWithoutTheWayOut) {
     EXPECT_EQ(told_place(list, 1, english), "");
 }
 
+TEST(ScreenModel, TheOnlyItemIsNotCounted) {
+    SpokenScreen screen;
+    screen.items = {{0, ItemRole::choice, "Back", "", ""}};
+    const Language english;
+    EXPECT_EQ(spoken_item(screen, 0, english), "Back");
+    screen.items.front().place = "picture 37 of 205";
+    EXPECT_EQ(spoken_item(screen, 0, english), "Back, picture 37 of 205");
+    screen.items.push_back({1, ItemRole::choice, "Go on", "", ""});
+    screen.items.front().place = "";
+    EXPECT_EQ(spoken_item(screen, 0, english), "Back") << "its own place is none";
+    EXPECT_EQ(spoken_item(screen, 1, english), "Go on") << "nor is it counted beside it";
+    EXPECT_EQ(told_place_among(1, 1, english), "");
+    EXPECT_EQ(told_place_among(1, 2, english), "1 of 2");
+}
+
 TEST(ScreenModel, AJumpGoesAScreenOnAndStopsAtTheEnds) {
     SpokenScreen list;
     list.items.resize(16);

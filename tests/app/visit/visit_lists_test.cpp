@@ -79,7 +79,7 @@ TEST(VisitLists, AnyOfACamerasTwoHundredAndFiveToo) {
     for (int i = 1; i <= 205; ++i) names.push_back("DSC0" + std::to_string(4000 + i) + ".JPG");
     to_stick(house, names);
     EXPECT_LE(most_presses(house, names.size()), 12);
-    EXPECT_EQ(focused(house), "photo 40 01 to photo 40 34, 34 pictures, 1 of 6");
+    EXPECT_EQ(focused(house), "Pictures 1 to 34, photo 40 01 to photo 40 34, 1 of 6");
 }
 
 TEST(VisitLists, AnyPictureOfTheGalleryIsTwelvePressesAway) {
@@ -105,12 +105,54 @@ TEST(VisitLists, APartIsNamedByLettersAndAPictureByItsNumberAmongAll) {
     house.press(KeyRole::down);
     EXPECT_EQ(house.last_said(), "Back") << "no picture, so it is not counted";
     house.press({KeyRole::up, KeyRole::select});
-    EXPECT_EQ(house.last_said(), "E to other signs. 3 pictures. eel, picture 7 of 9");
+    EXPECT_EQ(house.last_said(), "E to other signs. eel, picture 7 of 9");
     house.press(KeyRole::back);
     EXPECT_EQ(house.open(), VisitScreen::stick);
     EXPECT_EQ(focused(house), "E to other signs, 3 pictures, 2 of 2") << "where it was";
     house.press(KeyRole::back);
     EXPECT_EQ(house.open(), VisitScreen::choose);
+}
+
+TEST(VisitLists, APartThatEndsWithinALetterIsNamedByItsNumbersAndTellsWhichTheyAre) {
+    FakeHouse house;
+    to_stick(house, two_hundred_and_five_names());
+    EXPECT_EQ(focused(house), "Pictures 1 to 34, 1st April 2023 to dog 4, 1 of 6");
+    house.press(KeyRole::select);
+    const std::string inner = "Pictures 1 to 5, 1st April 2023 to 5th April 2023, 1 of 6";
+    EXPECT_EQ(house.last_said(), "Pictures 1 to 34. " + inner) << "its row told the rest";
+    EXPECT_EQ(house.screen().title, "Pictures 1 to 34") << "what was chosen";
+    house.press(KeyRole::select);
+    const std::string first = "Pictures 1 to 5. 1st April 2023, picture 1 of 205";
+    EXPECT_EQ(house.last_said(), first);
+    house.press(KeyRole::select);
+    house.wait(0.5);
+    ASSERT_TRUE(house.choose("Another picture"));
+    EXPECT_EQ(house.last_said(), first);
+    house.press(KeyRole::back);
+    EXPECT_EQ(house.last_said(), "Pictures 1 to 34. " + inner);
+}
+
+TEST(VisitLists, APartThatEndsWithinAGradeTellsItsFirstPicture) {
+    FakeHouse house;
+    for (auto& titles : house.gallery) {
+        titles.clear();
+        for (int i = 1; i <= 40; ++i)
+            titles.push_back({"Letter " + std::to_string(i), "", i <= 8 ? 1 : i <= 22 ? 2 : 3});
+    }
+    to_choose(house);
+    ASSERT_TRUE(house.choose("Gallery"));
+    ASSERT_TRUE(house.choose("easy"));
+    EXPECT_EQ(house.last_said(), "easy. Pictures 9 to 12, first: Letter 9, 1 of 3");
+    house.press(KeyRole::select);
+    EXPECT_EQ(house.last_said(), "Pictures 9 to 12. Letter 9, picture 9 of 40");
+}
+
+TEST(VisitLists, TheOnlyPictureIsNotCounted) {
+    FakeHouse house;
+    to_stick(house, {"apple.png"});
+    EXPECT_EQ(focused(house), "apple");
+    house.press(KeyRole::down);
+    EXPECT_EQ(house.last_said(), "Back");
 }
 
 TEST(VisitLists, APictureAloneUnderItsLetterNeedsNoList) {
@@ -128,7 +170,7 @@ TEST(VisitLists, TheGalleryIsPartedByHowHardItsPicturesAre) {
     ASSERT_TRUE(house.choose("Gallery"));
     EXPECT_TRUE(house.last_said().ends_with("very easy, 2 pictures, 1 of 6")) << house.last_said();
     house.press(KeyRole::select);
-    EXPECT_EQ(house.last_said(), "very easy. 2 pictures. Picture 5 en, picture 1 of 12");
+    EXPECT_EQ(house.last_said(), "very easy. Picture 5 en, picture 1 of 12");
     house.press(KeyRole::select);
     EXPECT_EQ(house.last<LoadPicture>()[0].index, 4U);
     EXPECT_EQ(house.last<LoadPicture>()[0].source, PictureSource::gallery);
@@ -218,6 +260,23 @@ TEST(VisitLists, WhoeverIsInAPartOfAStickThatGoesIsInTheListOfTheNext) {
     EXPECT_EQ(house.screen().title, "Your USB stick");
 }
 
+TEST(VisitLists, WhoeverIsInTheListOfAStickThatGoesHearsWhereTheyAreAndWhatToDo) {
+    FakeHouse house;
+    to_stick(house, two_hundred_and_five_names());
+    house.press(KeyRole::select);
+    house.apply(StickGone{});
+    EXPECT_EQ(house.last_said(), "The USB stick is out. Your USB stick. Put one into the USB slot; "
+                                 "nothing is written to it. Back");
+    house.apply(StickCame{{"apple.png"}, {}});
+    house.press(KeyRole::select);
+    house.wait(0.5);
+    ASSERT_TRUE(house.choose("Another picture"));
+    house.apply(StickGone{});
+    EXPECT_TRUE(house.last_said().starts_with(
+        "The USB stick is out. Your picture stays open. Your USB stick. "))
+        << house.last_said();
+}
+
 TEST(VisitLists, PicturesGivenAtTheStartStayForEveryVisitor) {
     FakeHouse house;
     house.apply(PicturesGiven{{"apple.png", "boat.png"}});
@@ -249,6 +308,7 @@ TEST(VisitLists, AStickReplacesThePicturesGivenAtTheStartWhileItIsThere) {
     ASSERT_TRUE(house.choose("Your USB stick"));
     EXPECT_EQ(house.screen().items[0].name, "cat");
     house.apply(StickGone{});
+    EXPECT_EQ(house.last_said(), "The USB stick is out. Your USB stick. apple, picture 1 of 2");
     EXPECT_EQ(house.screen().items[0].name, "apple");
     house.apply(StickCame{{"cat.png"}, {}});
     house.press(KeyRole::back);

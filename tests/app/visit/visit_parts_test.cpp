@@ -23,6 +23,18 @@ TEST(Visit, APartIsReachedAndSaid) {
     EXPECT_FALSE(house.visit.visitor.leading);
 }
 
+TEST(Visit, TheOnlyPartIsNotCounted) {
+    FakeHouse house;
+    to_picture(house);
+    PictureFacts facts = house.visit.visitor.felt->facts;
+    facts.parts.resize(1);
+    house.apply(PictureReady{house.visit.visitor.felt->order.request, facts});
+    ASSERT_TRUE(house.find("Parts"));
+    EXPECT_TRUE(house.last_said().starts_with("Parts, 2 of ")) << house.last_said();
+    house.press(KeyRole::select);
+    EXPECT_TRUE(house.last_said().ends_with(" Body en, middle")) << house.last_said();
+}
+
 TEST(Visit, PartsAreNamedWhereTheHandRestsAndNotWhileItIsQuick) {
     FakeHouse house;
     to_picture(house);

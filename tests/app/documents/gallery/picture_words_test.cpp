@@ -16,7 +16,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-constexpr std::size_t longest_sentence_words = 15;
+constexpr std::size_t longest_sentence_words = 12;
 constexpr std::size_t longest_name_words = 7;
 
 /// Words that are unfit for people who cannot see: colours, and "look". In lower case, whole words.
@@ -74,11 +74,12 @@ Words words_in(const std::string& sentence) {
     return words;
 }
 
+/// A colon and a semicolon also end one, as they are heard so.
 Words sentences_in(const std::string& text) {
     Words sentences;
     std::size_t begin = 0;
     for (std::size_t end = 0; end < text.size(); ++end) {
-        if (text[end] != '.' && text[end] != '!' && text[end] != '?') continue;
+        if (std::string_view(".:;!?").find(text[end]) == std::string_view::npos) continue;
         sentences.push_back(text.substr(begin, end + 1 - begin));
         begin = end + 1;
     }
@@ -161,10 +162,9 @@ TEST_P(PictureWords, SentencesAreShortAndPlain) {
         SCOPED_TRACE(name);
         const Words sentences = sentences_in(map.description);
         EXPECT_GE(sentences.size(), 2U);
-        for (const std::string& sentence : sentences) {
+        for (const std::string& sentence : sentences)
             EXPECT_LE(words_in(sentence).size(), longest_sentence_words) << sentence;
-            EXPECT_EQ(sentence.back(), '.') << sentence;
-        }
+        EXPECT_EQ(map.description.back(), '.');
         for (const std::string& said : said_by(map)) expect_fit(said, GetParam());
     }
 }
