@@ -20,7 +20,7 @@ struct NetworkHealth {
 };
 
 struct KioskHealth {
-    std::string handle;          // what it is, in words of the language
+    std::string handle;          // what it is, in words of the language; empty: not known
     std::string handle_trouble;  // sentences of the language; empty: it works
     bool has_motors = false;
     std::optional<double> homed_ago_s;  // nothing: not since the kiosk was started

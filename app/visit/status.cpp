@@ -160,7 +160,8 @@ Status describe(const LiveFacts& facts, const HandState& hand, const ForceStatus
     if (hand.shape != HeldShape::none) add("Shape", shape_words(hand, language));
     if (std::string page = words_of(facts.place, language); !page.empty())
         add("Picture", std::move(page));
-    add("Hand", language.text("panel", facts.hand_words, {facts.hand_name}));
+    if (!facts.hand_words.empty())
+        add("Hand", language.text("panel", facts.hand_words, {facts.hand_name}));
     status.message =
         force.fault == Fault::none ? facts.message : staffs_fault(force.fault, language);
     return status;

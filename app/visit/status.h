@@ -38,7 +38,7 @@ struct LiveFacts {
     int detail = 3;
     int coarsest_level = 0;
     bool has_pop_through = false;
-    std::string hand_words;            // what the hand is: a text of the catalogue, context "panel"
+    std::string hand_words;            // of the catalogue, context "panel"; empty: not known
     std::string hand_name;             // the device's name, for {0} in those words; may be empty
     std::optional<ContactEvent> last;  // the last contact event of the hand
     std::string message;

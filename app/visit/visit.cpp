@@ -127,7 +127,12 @@ void take(VisitWork& work, const CameraChanged& change) {
 }
 
 std::string told_arrival(const VisitWork& work, GuideKind kind) {
-    if (kind == GuideKind::outline) return words(work, "You have gone all the way round.");
+    if (kind == GuideKind::outline) {
+        const std::string told = words(work, "You have gone all the way round.");
+        if (open_screen(work) != VisitScreen::practice) return told;
+        return told + ' ' +
+               words(work, "Now feel it alone, choose another shape, or go on to the pictures.");
+    }
     if (kind == GuideKind::bring_back) return words(work, "You are on a line.");
     return language_of(work).text("guidance", "You are there.");
 }
@@ -153,6 +158,7 @@ void take(VisitWork& work, const GuidanceEnded& ended) {
     leading.reset();
     work.visitor.active_s = work.site.now_s;
     if (ended.why == GuidanceEnd::arrived) {
+        if (kind == GuideKind::outline) note_felt(work.visitor);
         cue(work, ScreenEvent::label_reached);
         shake(work, HandlePattern::chosen);
     }
@@ -167,8 +173,11 @@ void take(VisitWork& work, const TroubleBegan& began) {
     if (known == began.sentence) return;
     known = began.sentence;
     if (!is_visit_on(visit_of(work))) return;
-    if (began.kind == TroubleKind::device) stop_leading(work);
-    show_trouble(work, told_trouble(began.kind, began.sentence, language_of(work)), began.kind);
+    std::string told;
+    if (began.kind == TroubleKind::device && stop_leading(work))
+        told = words(work, "The handle has stopped guiding you.");
+    add_sentence(told, told_trouble(began.kind, began.sentence, language_of(work)));
+    show_trouble(work, told, began.kind);
 }
 
 void take(VisitWork& work, const TroubleEnded& ended) {
@@ -307,15 +316,15 @@ void end_visit(VisitWork& work, VisitScreen next) {
     order(work, GiveStickBack{});
     const std::size_t language = work.visitor.sound.language;
     const bool is_given = work.site.given && work.visitor.stick_list == work.site.given;
-    const bool has_stick = work.visitor.has_stick && !is_given;
-    const auto felt = static_cast<int>(work.visitor.pictures_felt.size());
+    Farewell farewell = work.visitor.farewell;
+    farewell.has_stick = work.visitor.has_stick && !is_given;
+    farewell.felt_count = static_cast<int>(work.visitor.pictures_felt.size());
     work.visitor = new_visitor(work.site, work.world);
     work.visitor.path = {Standing{next}};
     // The last words are still in the visitor's language.
     if (next == VisitScreen::goodbye) {
         work.visitor.sound.language = language;
-        work.visitor.has_stick_to_take = has_stick;
-        work.visitor.felt_to_tell = felt;
+        work.visitor.farewell = farewell;
     }
     say_screen(work);
 }

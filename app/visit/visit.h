@@ -234,7 +234,7 @@ struct Site {
     std::size_t invitations = 0;             // so far
 };
 
-/// A hint that this visitor has heard.
+/// A hint that this visitor has heard. After two times, or once they did what it says, it is known.
 struct HintSaid {
     std::string text;
     int times = 0;
@@ -244,6 +244,10 @@ struct HintSaid {
         ++times;
         at_s = now_s;
     }
+
+    void learn() { times = 2; }
+
+    [[nodiscard]] bool is_known() const { return times >= 2; }
 };
 
 /// Words that this visitor heard a moment ago.
@@ -251,6 +255,13 @@ struct SaidLately {
     std::string language;  // its code
     std::string text;
     double at_s = 0.0;
+};
+
+/// What the last screen tells of the visit.
+struct Farewell {
+    int felt_count = 0;        // pictures
+    bool has_stick = false;    // to take along
+    bool has_picture = false;  // on the camera's tray
 };
 
 /// The state of one visitor; every visit begins with a new one.
@@ -271,8 +282,7 @@ struct Visitor {
     std::optional<Waiting> waiting;
     bool is_capturing = false;
     bool has_stick = false;
-    bool has_stick_to_take = false;               // the last screen says so
-    int felt_to_tell = 0;                         // pictures; the last screen says so
+    Farewell farewell;
     std::shared_ptr<const StickList> stick_list;  // none: not read yet
     std::optional<Leading> leading;
     HandleSeen handle;

@@ -59,7 +59,7 @@ void open_help(VisitWork& work) {
     say_screen(work);
 }
 
-/// Once says the last words; twice the whole screen.
+/// Once says the last words; twice the whole screen, with its hint.
 void repeat(VisitWork& work) {
     Visitor& visitor = work.visitor;
     cue(work, ScreenEvent::key_taken);
@@ -71,7 +71,10 @@ void repeat(VisitWork& work) {
         return;
     }
     visitor.repeats = 0;
-    say(work, spoken_screen(screen_of(work), language_of(work)));
+    const SpokenScreen screen = screen_of(work);
+    std::string text = spoken_screen(screen, language_of(work));
+    add_sentence(text, untold_hint(screen));
+    say(work, text);
 }
 
 void go_back(VisitWork& work) {

@@ -54,6 +54,10 @@ void add_item(VisitSheet& sheet, const VisitItemRow& row) {
         shown.hint = sheet.words(change_hint);
     }
     if (row.hint != nullptr) shown.hint = sheet.words(row.hint);
+    if (row.needs_force && !has_force(sheet.visit.site)) {
+        if (shown.value.empty()) shown.value = sheet.words("no force now");
+        shown.hint = sheet.words(no_force_words);
+    }
 }
 
 /// A part of a list has the list's rows alone.
@@ -203,6 +207,8 @@ void select(VisitWork& work) {
         static_cast<VisitItem>(std::min(shown.id, static_cast<int>(VisitItem::entry)));
     cue(work, ScreenEvent::key_taken);
     shake(work, HandlePattern::chosen);
+    // The language screen says another hint than that of its items.
+    if (open_screen(work) != VisitScreen::language) hint_of(work.visitor, shown.hint).learn();
     if (item == VisitItem::back) return row_of(open_screen(work)).back(work);
     if (const auto* const row = shown_row(open_screen(work), item))
         std::visit(Choose{work, item, shown}, row->does);

@@ -112,6 +112,7 @@ struct VisitItemRow {
     const char* hint = nullptr;                     // nothing: that of its kind
     bool (*is_shown)(const VisitSheet&) = nullptr;  // nothing: always
     std::string (*value)(const VisitSheet&) = nullptr;
+    bool needs_force = false;  // while there is none, it says so
 };
 
 struct VisitScreenRow {

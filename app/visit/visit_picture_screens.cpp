@@ -132,13 +132,21 @@ void write_picture(VisitSheet& sheet) {
         sheet.sentence("You hold a shape. It works once no line goes through it.");
 }
 
+const char* hint_of_part(const VisitSheet& sheet) {
+    return has_force(sheet.visit.site) ? "Press Select, and the handle guides you to the part."
+                                       : no_force_words;
+}
+
+void write_parts_text(VisitSheet& sheet) {
+    sheet.sentence(hint_of_part(sheet));
+}
+
 void write_parts(VisitSheet& sheet) {
     const std::vector<PartFacts>& parts = facts_of(sheet).parts;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         sheet.row(i, parts[i].name,
                   words_of(place_of(parts[i].middle_W, CueArea{}), sheet.language),
-                  "Press Select, and the handle guides you to the part.",
-                  told_place_among(i + 1, parts.size(), sheet.language));
+                  hint_of_part(sheet), told_place_among(i + 1, parts.size(), sheet.language));
     }
 }
 
@@ -153,9 +161,9 @@ void write_parts_to_enlarge(VisitSheet& sheet) {
                   "Press Select to enlarge it twice, then four times.");
 }
 
+/// The item that opens it has just said what it is of.
 void write_pages(VisitSheet& sheet) {
-    sheet.title(is_of_things(sheet) ? "How much of the photo" : "Pages");
-    sheet.told(sheet.language.text("visit", "Now: {0}.", {told_page_place(sheet)}));
+    sheet.screen.title = told_page_place(sheet);
 }
 
 // Acts.
@@ -335,7 +343,7 @@ constexpr auto picture_screens = std::to_array<VisitScreenRow>({
      .view = ScreenView::picture},
     {.screen = S::parts,
      .title = "Parts",
-     .text = "Press Select, and the handle guides you to the part.",
+     .write = write_parts_text,
      .back_item = "Back",
      .view = ScreenView::picture},
     {.screen = S::explore,
@@ -352,18 +360,21 @@ constexpr auto picture_screens = std::to_array<VisitScreenRow>({
 });
 
 constexpr auto picture_items = std::to_array<VisitItemRow>({
-    {S::practice, I::lead_round, "Guide me round the outline", lead_round, begin_hint},
+    {S::practice, I::lead_round, "Guide me round the outline", lead_round, begin_hint, nullptr,
+     nullptr, true},
     {S::practice, I::other_shape, "Another shape", other_shape},
-    {S::practice, I::bring_back, "Bring me back to the line", bring_back},
+    {S::practice, I::bring_back, "Bring me back to the line", bring_back, nullptr, nullptr, nullptr,
+     true},
 
     {S::picture, I::lead_round, "Guide me round the outer outline", lead_round, begin_hint,
-     [](const VisitSheet& sheet) { return facts_of(sheet).outline_count > 1; }},
+     [](const VisitSheet& sheet) { return facts_of(sheet).outline_count > 1; }, nullptr, true},
     {S::picture, I::lead_round, "Guide me round the outline", lead_round, begin_hint,
-     [](const VisitSheet& sheet) { return facts_of(sheet).outline_count == 1; }},
+     [](const VisitSheet& sheet) { return facts_of(sheet).outline_count == 1; }, nullptr, true},
     {S::picture, I::parts, "Parts", S::parts, "Choose a part, and the handle guides you to it.",
-     [](const VisitSheet& sheet) { return !facts_of(sheet).parts.empty(); }, told_part_count},
+     [](const VisitSheet& sheet) { return !facts_of(sheet).parts.empty(); }, told_part_count, true},
     {S::picture, I::explore, "Explore freely", explore, "Parts say their names."},
-    {S::picture, I::bring_back, "Bring me back to a line", bring_back, nullptr, has_outline},
+    {S::picture, I::bring_back, "Bring me back to a line", bring_back, nullptr, has_outline,
+     nullptr, true},
     {S::picture, I::tell_again, "Tell me again", tell_again},
     {S::picture, I::detail, "Detail", VisitSetting{named<details>, {chosen_detail, choose_detail}}},
     {S::picture, I::zoom, "Enlargement", S::zoom, nullptr, nullptr, told_zoom},
@@ -376,8 +387,7 @@ constexpr auto picture_items = std::to_array<VisitItemRow>({
     {S::picture, I::turn_left, "Turn it left", turn_left, turn_hint, holds_shape, turn_value},
     {S::picture, I::turn_right, "Turn it right", turn_right, turn_hint, holds_shape, turn_value},
     {S::picture, I::turn_back, "Turn it back", turn_back, nullptr, holds_shape},
-    {S::picture, I::pages, "How much of the photo", S::pages, nullptr, is_of_things,
-     told_page_place},
+    {S::picture, I::pages, "How much of the photo", S::pages, nullptr, is_of_things},
     {S::picture, I::pages, "Pages", S::pages, nullptr, of_page<has_pages>, told_page_place},
     {S::picture, I::thing_here, "Find the thing under my hand", find_thing_here, nullptr,
      [](const VisitSheet& sheet) {
@@ -390,7 +400,8 @@ constexpr auto picture_items = std::to_array<VisitItemRow>({
     {S::parts, I::entry, "", VisitList{write_parts, lead_to_part}},
 
     {S::explore, I::where_am_i, "Where am I?", tell_place},
-    {S::explore, I::bring_back, "Bring me back to a line", bring_back, nullptr, has_outline},
+    {S::explore, I::bring_back, "Bring me back to a line", bring_back, nullptr, has_outline,
+     nullptr, true},
 
     {S::zoom, I::whole_picture, "The whole picture", zoom_here<1>, nullptr, is_zoomed},
     {S::zoom, I::twice_here, "Twice as large, around your hand", zoom_here<2>},

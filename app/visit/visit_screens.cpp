@@ -11,6 +11,10 @@ namespace {
 
 // Beginning.
 
+void write_attract(VisitSheet& sheet) {
+    sheet.sentence(way_to_begin(sheet.world));
+}
+
 void write_language(VisitSheet& sheet) {
     if (!has_keys(sheet.world)) {
         sheet.sentence(moves_by_itself(sheet.world)
@@ -107,6 +111,7 @@ void write_camera(VisitSheet& sheet) {
 
 void capture(VisitWork& work) {
     work.visitor.is_capturing = true;
+    work.visitor.farewell.has_picture = true;
     order(work, Capture{});
     enter(work, VisitScreen::opening);
 }
@@ -175,10 +180,12 @@ void ask_to_finish(VisitWork& work) {
 // The end.
 
 void write_goodbye(VisitSheet& sheet) {
-    if (const int count = sheet.visitor().felt_to_tell; count > 0)
+    const Farewell& farewell = sheet.visitor().farewell;
+    if (farewell.felt_count > 0)
         sheet.told(sheet.language.counted("visit", "You felt {0} picture.",
-                                          "You felt {0} pictures.", count));
-    if (sheet.visitor().has_stick_to_take) sheet.sentence("Take your USB stick with you.");
+                                          "You felt {0} pictures.", farewell.felt_count));
+    if (farewell.has_picture) sheet.sentence("Take your picture from the tray.");
+    if (farewell.has_stick) sheet.sentence("Take your USB stick with you.");
     sheet.sentence("If you brought headphones, take them with you.");
     sheet.sentence("Nothing about you is kept here.");
 }
@@ -197,6 +204,7 @@ void write_closed(VisitSheet& sheet) {
 
 void write_help(VisitSheet& sheet) {
     const bool offers_staff = sheet.world.rules.offers_staff;
+    sheet.title(has_keys(sheet.world) ? "Try the keys" : "Help");
     if (!has_keys(sheet.world)) {
         sheet.sentence(moves_by_itself(sheet.world) ? "Repeat, Back and Help come by themselves."
                                                     : "Move on to Repeat, Back or Help.");
@@ -204,7 +212,8 @@ void write_help(VisitSheet& sheet) {
         sheet.sentence("Choose Back twice to leave.");
         if (offers_staff) sheet.sentence("Choose Help again to call the staff.");
     } else {
-        sheet.sentence("There are six keys: Up, Down, Back, Repeat, Select and Help.");
+        sheet.sentence("Six keys do everything: Up, Down, Back, Repeat, Select and Help.");
+        sheet.sentence("Two more, if there are any, change the volume.");
         sheet.sentence("Each key says its name and its use.");
         sheet.sentence("Press Back twice to leave.");
         if (offers_staff) sheet.sentence("Press Help again to call the staff.");
@@ -237,15 +246,19 @@ bool is_of_handle(const VisitSheet& sheet) {
     return sheet.visitor().trouble == TroubleKind::device;
 }
 
-void write_trouble(VisitSheet& sheet) {
-    sheet.title(is_of_handle(sheet) ? "The handle" : "Something is wrong");
-    sheet.told(sheet.visitor().error);
-}
-
 /// Without the handle's force the visit goes on.
 bool can_call_staff(const VisitSheet& sheet) {
     return is_of_handle(sheet) && sheet.world.rules.offers_staff &&
            !sheet.visit.site.is_staff_called;
+}
+
+/// The staff are named once: the hint of the first item says how to call them.
+void write_trouble(VisitSheet& sheet) {
+    sheet.title(is_of_handle(sheet) ? "The handle" : "Something is wrong");
+    std::string told = sheet.visitor().error;
+    const std::string call = ' ' + sheet.language.text("fault", "Please call the staff.");
+    if (can_call_staff(sheet) && told.ends_with(call)) told.resize(told.size() - call.size());
+    sheet.told(told);
 }
 
 void go_on(VisitWork& work) {
@@ -258,7 +271,7 @@ using I = VisitItem;
 constexpr auto main_screens = std::to_array<VisitScreenRow>({
     {.screen = S::attract,
      .title = "Pictures to feel",
-     .text = "Hold the handle, or press any key.",
+     .write = write_attract,
      .any_key = begin_visit,
      .view = ScreenView::picture},
     {.screen = S::language,
@@ -277,7 +290,7 @@ constexpr auto main_screens = std::to_array<VisitScreenRow>({
     {.screen = S::closed,
      .write = write_closed,
      .any_key = [](VisitWork& work) { say_screen(work); }},
-    {.screen = S::help, .title = "Try the keys", .write = write_help, .back = go_on_from_help},
+    {.screen = S::help, .write = write_help, .back = go_on_from_help},
     {.screen = S::question,
      .title = "Are you still there?",
      .write = write_question,

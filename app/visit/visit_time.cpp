@@ -13,7 +13,6 @@ namespace {
 
 constexpr double hint_after_s = 1.5;
 constexpr double hint_again_s = 30.0;  // the same hint: 10 s, and the time of other words
-constexpr int hint_times = 2;          // in a visit; after that it is known
 constexpr double progress_after_s = 0.3;
 constexpr double progress_said_after_s = 2.0;
 constexpr double progress_said_every_s = 10.5;
@@ -124,14 +123,13 @@ void give_hint(VisitWork& work) {
     visitor.is_hint_due = false;
     if (hint.empty()) return;
     HintSaid& known = hint_of(visitor, hint);
-    if (known.times >= (is_of_languages ? 1 : hint_times)) return;
+    if (known.is_known()) return;
     visitor.is_hint_due = known.times > 0 && now_s - known.at_s < hint_again_s;
     if (visitor.is_hint_due) return;
     known.said(now_s);
-    if (is_of_languages)
-        say_languages(work);
-    else
-        say(work, hint, SpeechPriority::hint);
+    if (!is_of_languages) return say(work, hint, SpeechPriority::hint);
+    known.learn();  // all at once
+    say_languages(work);
 }
 
 void begin_leading(VisitWork& work) {
@@ -197,18 +195,9 @@ void name_part(VisitWork& work) {
     work.is_asked = false;
 }
 
-/// A hand moves on a line of what is felt.
-void note_felt(Visitor& visitor) {
-    if (!visitor.felt || visitor.has_felt) return;
-    visitor.has_felt = true;
-    const LoadPicture& picture = visitor.felt->order;
-    if (picture.source == PictureSource::practice) return;
-    const std::pair known{picture.source, picture.index};
-    // Each photo is another picture.
-    const bool is_known =
-        picture.source != PictureSource::camera &&
-        std::ranges::find(visitor.pictures_felt, known) != visitor.pictures_felt.end();
-    if (!is_known) visitor.pictures_felt.push_back(known);
+/// True if the hand is on a line, as far as is known: without named parts no line is told.
+bool is_on_line(const Visitor& visitor) {
+    return visitor.handle.part || (visitor.felt && visitor.felt->facts.parts.empty());
 }
 
 /// The operator's question was not answered. What it was asked over may be a screen without a
@@ -230,7 +219,7 @@ void invite(VisitWork& work) {
     const std::vector<Language>& languages = work.world.languages;
     const Language& language = languages[site.invitations++ % languages.size()];
     std::string text = language.text("visit", "Pictures to feel");
-    add_sentence(text, language.text("visit", "Hold the handle, or press any key."));
+    add_sentence(text, language.text("visit", way_to_begin(work.world)));
     say_in(work, language, text, SpeechPriority::hint);
 }
 
@@ -260,10 +249,32 @@ double answer_s(const VisitRules& rules) {
     return std::max(rules.answer_s, 30.0);
 }
 
+const char* way_to_begin(const VisitWorld& world) {
+    return has_keys(world) ? "Hold the handle, or press any key."
+                           : "Hold the handle, or press a switch.";
+}
+
+void note_felt(Visitor& visitor) {
+    if (!visitor.felt || visitor.has_felt) return;
+    visitor.has_felt = true;
+    const LoadPicture& picture = visitor.felt->order;
+    if (picture.source == PictureSource::practice) return;
+    const std::pair known{picture.source, picture.index};
+    // Each photo is another picture.
+    const bool is_known =
+        picture.source != PictureSource::camera &&
+        std::ranges::find(visitor.pictures_felt, known) != visitor.pictures_felt.end();
+    if (!is_known) visitor.pictures_felt.push_back(known);
+}
+
+bool has_force(const Site& site) {
+    return !site.troubles[static_cast<std::size_t>(TroubleKind::device)];
+}
+
 void lead(VisitWork& work, const Guide& guide, const std::string& announcement) {
-    if (work.site.troubles[static_cast<std::size_t>(TroubleKind::device)]) {
+    if (!has_force(work.site)) {
         refuse(work);
-        return say(work, words(work, "The handle has no force now. Move it yourself."));
+        return say(work, words(work, no_force_words));
     }
     work.visitor.leading = Leading{guide, work.site.now_s + announcement_s(work.visitor), false};
     shake(work, HandlePattern::chosen);
@@ -289,7 +300,7 @@ void take(VisitWork& work, const HandleSeen& handle) {
     if (visitor.has_touched && keep_whole(work)) tell_things(work);
     const bool is_hand = handle.has_moved && !handle.is_led;
     if (is_hand) visitor.active_s = work.site.now_s;
-    if (is_hand && handle.part) note_felt(visitor);
+    if (is_hand && is_on_line(visitor)) note_felt(visitor);
     const VisitScreen screen = open_screen(work);
     if (is_hand && screen == VisitScreen::attract) return begin_visit(work);
     if (is_hand && screen == VisitScreen::question) {

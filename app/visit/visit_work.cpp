@@ -44,10 +44,8 @@ bool is_said_again(VisitWork& work, const std::string& language, const std::stri
 
 /// Counts the hint of the focused item as said if the screen's text says it too.
 void note_hint(VisitWork& work, const SpokenScreen& screen) {
-    if (!screen.focus) return;
-    const std::string& hint = screen.items[*screen.focus].hint;
-    if (!hint.empty() && screen.text.find(hint) != std::string::npos)
-        hint_of(work.visitor, hint).said(work.site.now_s);
+    if (!screen.focus || !untold_hint(screen).empty()) return;
+    hint_of(work.visitor, screen.items[*screen.focus].hint).said(work.site.now_s);
 }
 
 }  // namespace
@@ -138,6 +136,12 @@ HintSaid& hint_of(Visitor& visitor, const std::string& text) {
     return known != visitor.hints.end() ? *known : visitor.hints.emplace_back(HintSaid{text});
 }
 
+std::string untold_hint(const SpokenScreen& screen) {
+    if (!screen.focus) return {};
+    const std::string& hint = screen.items[*screen.focus].hint;
+    return screen.text.find(hint) == std::string::npos ? hint : std::string();
+}
+
 void say_item(VisitWork& work, const std::string& first) {
     const SpokenScreen screen = screen_of(work);
     if (!screen.focus) return say(work, first);
@@ -211,9 +215,8 @@ std::string told_trouble(TroubleKind kind, const std::string& sentence, const La
     if (!sentence.empty()) return sentence;
     switch (kind) {
         case TroubleKind::device:
-            return language.text("visit",
-                                 "The handle has no force. It does not answer. You can still "
-                                 "listen; please tell the staff.");
+            return language.text("visit", "The handle has no force. It does not answer.") + ' ' +
+                   language.text("fault", "Please call the staff.");
         case TroubleKind::sound:
             return language.text("speech", "There is no sound. Please call the staff.");
         case TroubleKind::camera:

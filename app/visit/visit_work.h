@@ -76,6 +76,9 @@ void go_to(VisitWork& work, VisitScreen screen);
 /// Adds a new one if the visitor has not heard it yet.
 [[nodiscard]] HintSaid& hint_of(Visitor& visitor, const std::string& text);
 
+/// The hint of the item that has the focus; empty if the screen's text says it.
+[[nodiscard]] std::string untold_hint(const SpokenScreen& screen);
+
 /// Puts the focus on the item if the open screen has it.
 void focus_on(VisitWork& work, VisitItem item);
 
@@ -148,7 +151,18 @@ void leave_parts_of_stick(Visitor& visitor);
 /// How long the visit waits for an answer to its question (visit_time.cpp).
 [[nodiscard]] double answer_s(const VisitRules& rules);
 
+/// How nobody's visit begins (visit_time.cpp).
+[[nodiscard]] const char* way_to_begin(const VisitWorld& world);
+
+/// Counts the picture as felt: a hand moved on a line of it, or was led all the way round.
+void note_felt(Visitor& visitor);
+
 // Leading (visit_time.cpp).
+
+inline constexpr const char* no_force_words = "The handle has no force now. Move it yourself.";
+
+/// False while a trouble of the handle lasts: then nothing can lead.
+[[nodiscard]] bool has_force(const Site& site);
 
 /// Announces the guide, and begins after the time to hear it (HA-1).
 void lead(VisitWork& work, const Guide& guide, const std::string& announcement);

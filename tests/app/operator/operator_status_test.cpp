@@ -1,6 +1,6 @@
 // Tests what the operator first hears: the state of the kiosk, the self-test and the counted days.
 #include "app/operator/health.h"
-#include "tests/app/operator/operator_rig.h"
+#include "tests/app/operator/at_operator_menu.h"
 
 #include <algorithm>
 #include <array>
@@ -12,15 +12,7 @@
 namespace touchline {
 namespace {
 
-using R = KeyRole;
-using P = OperatorPlace;
-
-class StatusTest : public testing::Test {
-  protected:
-    StatusTest() { rig.open_menu(); }
-
-    OperatorRig rig;
-};
+class StatusTest : public AtOperatorMenu {};
 
 KioskHealth sound_health() {
     KioskHealth health;
@@ -52,6 +44,13 @@ TEST(Health, WhatDoesNotWorkComesFirstAndThenWhatIsWorthARemark) {
                                         "Nothing can be saved. Make room on the disk",
                                         "Starting point found", "Faults today", "Handle", "Camera",
                                         "USB stick", "Recognising photos", "Started", "Version"}));
+}
+
+TEST(Health, AHandleOfWhichNothingIsKnownStillHasAState) {
+    KioskHealth health = sound_health();
+    health.handle.clear();
+    const auto lines = health_lines(health, Language());
+    EXPECT_EQ(std::ranges::find(lines, "Handle", &HealthLine::name)->value, "in order");
 }
 
 TEST(Health, ANetworkThatDoesNotShipIsOnlyRemarkedOn) {

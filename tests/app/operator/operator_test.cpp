@@ -2,7 +2,7 @@
 #include "app/operator/backup.h"
 #include "app/operator/operator_menu.h"
 #include "haptics/pantograph/profile.h"
-#include "tests/app/operator/operator_rig.h"
+#include "tests/app/operator/at_operator_menu.h"
 
 #include <algorithm>
 #include <array>
@@ -13,15 +13,7 @@
 namespace touchline {
 namespace {
 
-using R = KeyRole;
-using P = OperatorPlace;
-
-class OperatorTest : public testing::Test {
-  protected:
-    OperatorTest() { rig.open_menu(); }
-
-    OperatorRig rig;
-};
+class OperatorTest : public AtOperatorMenu {};
 
 TEST_F(OperatorTest, ALockOutlastsLeavingAndTheRightPin) {
     rig.press(R::back);

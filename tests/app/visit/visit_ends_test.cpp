@@ -54,6 +54,18 @@ TEST(Visit, WhyGuidingEndedIsSaid) {
     }
 }
 
+TEST(Visit, WhoWasLedRoundThePracticeShapeHearsWhatCanBeDoneNext) {
+    FakeHouse house;
+    to_choose(house);
+    ASSERT_TRUE(house.choose("Practice shape"));
+    house.wait(0.5);
+    ASSERT_TRUE(house.choose("Guide me round the outline"));
+    house.wait(5.0);
+    EXPECT_EQ(house.last_said(),
+              "You have gone all the way round. Now feel it alone, choose another shape, or go on "
+              "to the pictures. Guide me round the outline, 1 of 4");
+}
+
 /// Passes an hour in which the handle shakes, is led and rests on lines, and no hand moves it.
 /// Returns how often the visit believed that somebody answered.
 int answers_of_nobody(FakeHouse& house) {
@@ -126,6 +138,52 @@ TEST(Visit, GoodbyeCountsThePicturesThatWereFelt) {
     house.press({KeyRole::select, KeyRole::select});
     finish(house);
     EXPECT_FALSE(house.has_said("You felt", house.transcript.size() - 1));
+}
+
+TEST(Visit, APictureThatAHandWasLedRoundWasFelt) {
+    for (const bool is_led_to_the_end : {true, false}) {
+        FakeHouse house;
+        to_picture(house);
+        ASSERT_TRUE(house.choose("Guide me round the outer outline"));
+        house.wait(3.0);
+        if (!is_led_to_the_end) house.press(KeyRole::down);
+        house.wait(3.0);
+        finish(house);
+        EXPECT_EQ(house.has_said("You felt 1 picture.", house.transcript.size() - 1),
+                  is_led_to_the_end);
+    }
+}
+
+/// Many pictures of a stick have no named parts, so no part is ever under the hand.
+TEST(Visit, APictureWithoutNamedPartsIsFeltTooByAHandThatMoves) {
+    for (const bool is_moved : {true, false}) {
+        FakeHouse house;
+        to_stick_picture(house);
+        house.visit.visitor.felt->facts.parts.clear();
+        HandleSeen seen;
+        seen.has_moved = is_moved;
+        house.apply(seen);
+        finish(house);
+        EXPECT_EQ(house.has_said("You felt 1 picture.", house.transcript.size() - 1), is_moved);
+    }
+}
+
+TEST(Visit, GoodbyeRemindsOfThePictureOnTheTray) {
+    for (const bool takes_photo : {true, false}) {
+        FakeHouse house;
+        to_choose(house);
+        ASSERT_TRUE(house.choose("Camera"));
+        house.press(takes_photo ? KeyRole::select : KeyRole::back);
+        house.wait(2.0);
+        while (house.open() != VisitScreen::choose) house.press(KeyRole::back);
+        finish(house);
+        const std::size_t last = house.transcript.size() - 1;
+        EXPECT_EQ(house.has_said("Take your picture from the tray.", last), takes_photo);
+        house.press({KeyRole::select, KeyRole::select});
+        finish(house);
+        EXPECT_FALSE(house.has_said("from the tray", house.transcript.size() - 1))
+            << "it was another visitor's";
+    }
 }
 
 TEST(Visit, AResetKeepsLanguageAndPictureAndSaysWhatItDid) {

@@ -33,6 +33,16 @@ TEST(Invitation, IsHeardWithinTwelveSecondsAndInEveryLanguageInTurn) {
     EXPECT_EQ(house.open(), VisitScreen::attract);
 }
 
+TEST(Invitation, NamesKeysOnlyWhereThereAreKeys) {
+    for (const SwitchUse use : {SwitchUse::move_and_select, SwitchUse::by_itself}) {
+        FakeHouse house(inviting());
+        house.settings.two_switches = use;
+        house.wait(12.0);
+        EXPECT_EQ(house.last_said(), "Pictures to feel. Hold the handle, or press a switch.");
+        EXPECT_EQ(house.screen().text, "Hold the handle, or press a switch.");
+    }
+}
+
 TEST(Invitation, IsNotSaidInQuietHoursNorInAVisit) {
     FakeHouse quiet;
     quiet.wait(60.0);

@@ -135,7 +135,10 @@ TEST(Visit, HelpSaysAndShowsTheKeys) {
     FakeHouse house;
     to_choose(house);
     house.press(KeyRole::help);
-    EXPECT_TRUE(house.has_said("Up, Down, Back, Repeat, Select and Help.", 0));
+    EXPECT_TRUE(
+        house.has_said("Six keys do everything: Up, Down, Back, Repeat, Select and Help. "
+                       "Two more, if there are any, change the volume.",
+                       0));
     ASSERT_EQ(house.screen().items.size(), key_role_count);
     EXPECT_EQ(house.screen().items[0].name, "Up");
     EXPECT_EQ(house.screen().items[0].value, "Goes to the item before. Hold it to jump.");
@@ -164,6 +167,7 @@ TEST(Visit, StaffAreTwoPressesAwayFromEveryScreen) {
             const auto* const said = std::get_if<Utterance>(&order);
             return said != nullptr && said->text.starts_with("The staff have been called.");
         }));
+        EXPECT_TRUE(visit.visitor.caption.text.starts_with("The staff have been called."));
     }
     EXPECT_GE(from.size(), visit_screen_count - 3) << "all but those where nobody is";
 }

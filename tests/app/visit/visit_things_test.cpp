@@ -25,7 +25,10 @@ TEST(Visit, APhotographsMainThingTakesItsPlaceBeforeAHandHasTouchedIt) {
     house.apply(PictureReady{wanted.request, facts});
     EXPECT_TRUE(house.has_said("Thing 1 of 2 in the photograph", 0)) << house.last_said();
     EXPECT_EQ(house.open(), VisitScreen::picture);
-    ASSERT_TRUE(house.choose("How much of the photo"));
+    ASSERT_TRUE(house.find("How much of the photo"));
+    EXPECT_EQ(house.last_said().find("Thing 1"), std::string::npos) << "its screen says that";
+    house.press(KeyRole::select);
+    EXPECT_TRUE(house.last_said().starts_with("Thing 1 of 2 in the photograph. The next thing"));
     EXPECT_FALSE(house.find("The thing before"));
     ASSERT_TRUE(house.choose("The next thing"));
     EXPECT_EQ(house.last<LoadPicture>()[0].view, 2);
