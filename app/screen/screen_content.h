@@ -4,7 +4,7 @@
 
 #include "app/screen/canvas.h"
 #include "app/screen/line_drawing.h"
-#include "app/screen/panel.h"
+#include "app/screen/staff_panel.h"
 #include "app/screen/theme.h"
 #include "app/visit/screen_model.h"
 #include "audio-cues/words/language.h"

@@ -1,4 +1,4 @@
-#include "app/screen/panel.h"
+#include "app/screen/staff_panel.h"
 
 #include "app/screen/paint.h"
 #include "app/screen/text.h"
