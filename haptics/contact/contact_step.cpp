@@ -1,9 +1,7 @@
 #include "haptics/contact/contact_step.h"
 
 #include "config/types/steady_clock.h"
-#include "haptics/collision/touch.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace touchline {
