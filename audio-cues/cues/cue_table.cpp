@@ -1,7 +1,6 @@
 #include "audio-cues/cues/cue_table.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace touchline {

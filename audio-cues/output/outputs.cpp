@@ -1,7 +1,6 @@
 #include "audio-cues/output/outputs.h"
 
 #include "audio-cues/synth/gain.h"
-#include "config/types/pinned.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,5 @@
 #include "audio-cues/speech/espeak_engine.h"
 
-#include "audio-cues/speech/speech_input.h"
-
 #include <cstddef>
 
 #include <espeak-ng/speak_lib.h>

@@ -3,7 +3,6 @@
 #include "config/types/utf8.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <span>
 
@@ -58,12 +57,6 @@ constexpr std::array<std::string_view, 6> opening{"\u201c", "\u201e", "\u00ab", 
 /// Signs beyond ASCII that separate words.
 constexpr std::array<std::string_view, 9> parting{
     "\u2019", "\u201c", "\u201d", "\u201e", "\u00ab", "\u00bb", ellipsis, hard_blank, thin_blank};
-
-std::string_view trimmed(std::string_view text) {
-    while (text.starts_with(' ')) text.remove_prefix(1);
-    while (text.ends_with(' ')) text.remove_suffix(1);
-    return text;
-}
 
 bool is_digit(char c) {
     return c >= '0' && c <= '9';
@@ -144,8 +137,8 @@ std::vector<Respelling> respellings_of(std::string_view table) {
         table.remove_prefix(std::min(end + 1, table.size()));
         const auto sign = line.find('=');
         if (sign == std::string_view::npos) continue;
-        auto written = trimmed(line.substr(0, sign));
-        auto spoken = trimmed(line.substr(sign + 1));
+        auto written = trimmed(line.substr(0, sign), " ");
+        auto spoken = trimmed(line.substr(sign + 1), " ");
         const bool is_before = written.ends_with(ellipsis);
         if (is_before) written.remove_suffix(ellipsis.size());
         if (spoken.ends_with(ellipsis)) spoken.remove_suffix(ellipsis.size());

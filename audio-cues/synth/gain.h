@@ -13,11 +13,6 @@ namespace touchline {
     return std::isnan(level_dB) ? 0.0 : std::pow(10.0, level_dB / 20.0);
 }
 
-/// Returns -infinity for 0.
-[[nodiscard]] inline double dB_of_gain(double gain) {
-    return 20.0 * std::log10(gain);
-}
-
 /// Long enough to avoid a click, short enough to avoid a lag.
 inline constexpr double ramp_s = 0.005;
 

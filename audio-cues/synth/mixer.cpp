@@ -1,7 +1,5 @@
 #include "audio-cues/synth/mixer.h"
 
-#include "audio-cues/synth/gain.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -173,9 +173,6 @@ class Mixer {
   public:
     static constexpr int voice_count = 8;
 
-    /// The delay of everything, in frames: the limiter's look-ahead.
-    static constexpr int latency_frames = Limiter::look_ahead_frames;
-
     /// Counts frames from `first`.
     explicit Mixer(FrameTime first = 0) : frame_(first), rendered_(first) {}
 

@@ -1,7 +1,6 @@
 #include "audio-cues/synth/voices.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <numbers>

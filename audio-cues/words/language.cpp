@@ -10,8 +10,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <span>
-#include <vector>
 
 #include <boost/locale/gnu_gettext.hpp>
 #include <boost/locale/message.hpp>

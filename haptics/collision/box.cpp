@@ -1,7 +1,6 @@
 #include "haptics/collision/box.h"
 
 #include <cstring>
-#include <limits>
 
 namespace touchline {
 namespace {

@@ -1,10 +1,8 @@
 #include "haptics/collision/collision_tree.h"
 
-#include "haptics/collision/touch.h"
 #include "haptics/collision/tree_walk.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace touchline {
@@ -34,35 +32,6 @@ class FirstHit : public FirstTouch {
 
   private:
     Spender spender_;
-};
-
-class Crossings {
-  public:
-    static constexpr bool asks_leaf_boxes = false;
-
-    Crossings(Position p, Position q) : p_(p), q_(q), way_{p, q - p, approach_tolerance_m} {}
-
-    [[nodiscard]] Sifted sift(const Fan& fan) const { return touchline::sift(fan, way_); }
-
-    [[nodiscard]] std::optional<double> near(const Box& box) const {
-        if (!approach(box, way_).is_met) return {};
-        return 0.0;
-    }
-
-    [[nodiscard]] static double cut() { return 1.0; }
-
-    static bool spend(int /*boxes*/) { return true; }
-
-    void leaf(SegmentRef /*ref*/, const Segment& segment) {
-        count_ += passes(p_, q_, segment) ? 1 : 0;
-    }
-
-    [[nodiscard]] int count() const { return count_; }
-
-  private:
-    Position p_, q_;
-    Way way_;
-    int count_ = 0;
 };
 
 /// What visitors that look around a place have in common.
@@ -190,12 +159,6 @@ Hit CollisionTree::first_hit(const CurveSet& curves, const Motion& motion,
     FirstHit visitor(motion, budget);
     const double unopened = TreeWalk(*this, curves, motion.level, visitor).run_near(visitor.way());
     return visitor.result(unopened);
-}
-
-int CollisionTree::crossings(const CurveSet& curves, Position p, Position q, double level) const {
-    Crossings visitor(p, q);
-    (void)TreeWalk(*this, curves, level, visitor).run();
-    return visitor.count();
 }
 
 Closest CollisionTree::closest_point(const CurveSet& curves, Position p, double level,

@@ -190,11 +190,6 @@ class CollisionTree {
                                                         const Motion& motion,
                                                         const Budget& budget) const;
 
-    /// Counts how often the straight way from p to q crosses the curves as rendered at `level`. The
-    /// parity is right at vertices and along segments: for a closed curve the count is odd exactly
-    /// if one of p and q is inside (points on the curve count as on its upper side).
-    [[nodiscard]] int crossings(const CurveSet& curves, Position p, Position q, double level) const;
-
     /// Returns the nearest point of the curves as rendered at `level`, if it is nearer than
     /// `within_m`; ties go to the lowest segment.
     [[nodiscard]] Closest closest_point(const CurveSet& curves, Position p, double level,

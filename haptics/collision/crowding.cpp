@@ -4,7 +4,6 @@
 #include "haptics/collision/touch.h"
 
 #include <algorithm>
-#include <array>
 
 namespace touchline {
 namespace {

@@ -1,7 +1,6 @@
 #include "haptics/collision/scene.h"
 
 #include "haptics/collision/crowding.h"
-#include "haptics/curve/curve_set.h"
 
 #include <algorithm>
 #include <compare>

@@ -239,20 +239,6 @@ std::optional<Crossing> crossing(Position from, Position to, const Segment& segm
                     share(exact_area(from, to, a), exact_area(from, to, b)), side_of_from >= 0};
 }
 
-bool passes(Position from, Position to, const Segment& segment) {
-    const Position a = segment.a;
-    const Position b = segment.b;
-    const bool is_a_left = orientation(from, to, a) >= 0;
-    const bool is_b_left = orientation(from, to, b) >= 0;
-    if (is_a_left == is_b_left) return false;
-    const double lean = -dot(b - a, to - from);
-    const auto is_left = [&](Position p) {
-        const int side = orientation(a, b, p);
-        return side != 0 ? side > 0 : lean >= 0.0;
-    };
-    return is_left(from) != is_left(to);
-}
-
 std::optional<Touch> touch(Position from, Position to, double radius_m, const Segment& segment) {
     if (radius_m == 0.0) return touch_point(from, to, segment);
     const Position e = segment.b - segment.a;

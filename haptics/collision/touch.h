@@ -51,11 +51,6 @@ struct Crossing {
 /// Returns nothing if they have no common point, exactly.
 [[nodiscard]] std::optional<Crossing> crossing(Position from, Position to, const Segment& segment);
 
-/// Returns whether the way, moved to its right by less than any distance, passes through the
-/// segment. So the ways and segments of a closed curve count consistently at vertices and along
-/// segments.
-[[nodiscard]] bool passes(Position from, Position to, const Segment& segment);
-
 /// A change of the rendered level between finer + from and finer + to; weights 0 ... 1 in either
 /// order. Segments are named as those of level `finer`, even if a weight is 1.
 struct LevelChange {

@@ -11,8 +11,6 @@
 #include "haptics/contact/proxy_state.h"
 #include "haptics/contact/rendered_outlines.h"
 
-#include <cstdint>
-#include <limits>
 #include <optional>
 #include <vector>
 

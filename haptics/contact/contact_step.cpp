@@ -1,10 +1,8 @@
 #include "haptics/contact/contact_step.h"
 
 #include "config/types/steady_clock.h"
-#include "haptics/collision/touch.h"
 #include "haptics/contact/friction.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace touchline {

@@ -13,7 +13,6 @@
 #include "haptics/contact/rendered_outlines.h"
 
 #include <algorithm>
-#include <numbers>
 #include <optional>
 #include <vector>
 

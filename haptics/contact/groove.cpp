@@ -1,7 +1,5 @@
 #include "haptics/contact/groove.h"
 
-#include "haptics/contact/proxy_state.h"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>

@@ -3,9 +3,7 @@
 #include "haptics/curve/spacing.h"
 #include "haptics/curve/wavelet.h"
 
-#include <algorithm>
 #include <cmath>
-#include <span>
 
 #include <fmt/core.h>
 

@@ -1,7 +1,6 @@
 #include "haptics/device/homing.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numbers>
 

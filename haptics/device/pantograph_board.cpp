@@ -201,7 +201,6 @@ void PantographBoard::judge_send() {
         untaken_in_a_row_ = 0;
         return;
     }
-    ++report_.failed_sends;
     const bool is_write = ended.size == write_size(frame_.has_handle());
     if (is_write) --owed_;
     note(sent.status);
@@ -354,7 +353,6 @@ bool PantographBoard::send(const Command& command) {
         return true;
     }
     if (status != LinkStatus::under_way) {
-        ++report_.failed_sends;
         has_send_failed_ = true;
         note(status);
     }

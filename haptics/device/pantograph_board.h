@@ -99,7 +99,6 @@ struct BoardReport {
     std::uint64_t wrong_packets = 0;  // wrong length, address or count, or one too many
     std::uint64_t unconfigured = 0;
     std::uint64_t jumps = 0;  // to angles that no hand could reach
-    std::uint64_t failed_sends = 0;
     std::uint64_t resyncs = 0;
 };
 

@@ -10,8 +10,6 @@
 #include <cstring>
 #include <filesystem>
 #include <optional>
-#include <string>
-#include <utility>
 
 #include <fcntl.h>
 #include <fmt/core.h>

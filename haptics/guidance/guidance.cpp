@@ -1,8 +1,6 @@
 #include "haptics/guidance/guidance.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <numbers>
 #include <utility>
 

@@ -1,10 +1,7 @@
 #include "haptics/probe/probe_shape.h"
 
-#include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <utility>
-#include <vector>
 
 #include <fmt/core.h>
 

@@ -1,7 +1,5 @@
 #include "haptics/resolution/level_rule.h"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numbers>
 

@@ -1,7 +1,6 @@
 #include "haptics/safety/force_chain.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 

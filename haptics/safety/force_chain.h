@@ -13,7 +13,6 @@
 #include "haptics/safety/guards.h"
 #include "haptics/safety/hand_presence.h"
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>

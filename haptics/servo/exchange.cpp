@@ -1,7 +1,6 @@
 #include "haptics/servo/exchange.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include <unistd.h>

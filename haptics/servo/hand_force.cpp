@@ -1,6 +1,5 @@
 #include "haptics/servo/hand_force.h"
 
-#include "haptics/guidance/guidance.h"
 #include "haptics/servo/loop_settings.h"
 
 #include <algorithm>

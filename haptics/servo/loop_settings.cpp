@@ -1,7 +1,5 @@
 #include "haptics/servo/loop_settings.h"
 
-#include <algorithm>
-
 namespace touchline {
 namespace {
 

@@ -1,15 +1,12 @@
 #include "haptics/servo/real_time.h"
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cmath>
-#include <cstddef>
 #include <ctime>
 #include <fstream>
 
 #include <pthread.h>
-#include <sched.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>

@@ -1,6 +1,5 @@
 #include "haptics/servo/servo.h"
 
-#include "haptics/servo/real_time.h"
 #include "haptics/servo/servo_loop.h"
 
 #include <atomic>
@@ -9,7 +8,6 @@
 #include <future>
 #include <string>
 #include <thread>
-#include <utility>
 
 namespace touchline {
 

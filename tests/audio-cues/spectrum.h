@@ -4,6 +4,7 @@
 
 #include "audio-cues/synth/mixer.h"
 
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,11 @@ namespace touchline {
 [[nodiscard]] double strongest_Hz(std::span<const float> samples);
 
 [[nodiscard]] double rms(std::span<const float> samples);
+
+/// Returns -infinity for 0.
+[[nodiscard]] inline double dB_of_gain(double gain) {
+    return 20.0 * std::log10(gain);
+}
 
 [[nodiscard]] float peak(std::span<const float> samples);
 

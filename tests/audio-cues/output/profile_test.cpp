@@ -1,5 +1,4 @@
 #include "audio-cues/output/outputs.h"
-#include "audio-cues/synth/gain.h"
 #include "tests/audio-cues/spectrum.h"
 
 #include <cmath>

@@ -1,6 +1,5 @@
 #include "audio-cues/synth/mixer.h"
 
-#include "audio-cues/synth/gain.h"
 #include "tests/audio-cues/spectrum.h"
 
 #include <cmath>
@@ -47,7 +46,7 @@ TEST_F(MixerTest, AClickSoundsWithinOneBlockOfItsTimeStamp) {
             const auto out = rendered(mixer, 8192);
             for (const auto& ear : {left_of_stereo(out), right_of_stereo(out)}) {
                 const auto first = static_cast<FrameTime>(first_sound(ear));
-                EXPECT_GE(first, frame + Mixer::latency_frames);
+                EXPECT_GE(first, frame + Limiter::look_ahead_frames);
                 EXPECT_LE(first, frame + block_frames);
             }
         }

@@ -1,4 +1,3 @@
-#include "audio-cues/synth/gain.h"
 #include "audio-cues/synth/voices.h"
 #include "tests/audio-cues/spectrum.h"
 

@@ -1,5 +1,6 @@
 // The parity of crossings() equals the exact change between inside and outside of closed curves.
 #include "haptics/collision/scene.h"
+#include "tests/haptics/collision/crossings.h"
 #include "tests/haptics/collision/level_segments.h"
 #include "tests/haptics/collision/trials.h"
 
@@ -39,7 +40,8 @@ TEST(Crossings, ParityIsTheExactChangeBetweenInsideAndOutside) {
                 const auto [from, to] = aimed(random, reference);
                 if (reference.holds(from) || reference.holds(to)) continue;
                 const bool is_change = reference.is_inside(from) != reference.is_inside(to);
-                const int crossings = scene.tree.crossings(scene.curves, from, to, level);
+                const int crossings =
+                    touchline::crossings(scene.tree, scene.curves, from, to, level);
                 ++asked;
                 changes += is_change ? 1U : 0U;
                 if ((crossings % 2 != 0) == is_change || ++wrong > 5) continue;

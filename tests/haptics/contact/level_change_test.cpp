@@ -1,5 +1,6 @@
 // Changes of level under the hand: the wall moves, and the proxy follows and keeps its side.
 #include "haptics/contact/contact_machine.h"
+#include "tests/haptics/collision/crossings.h"
 #include "tests/haptics/contact/hold_rig.h"
 #include "tests/haptics/scenes.h"
 #include "tests/lab/bench/workload.h"
@@ -18,7 +19,7 @@ constexpr double stiffness_N_per_m = 500.0;
 constexpr Position far_off{0.5, 0.313};
 
 bool is_inside(const Scene& scene, Position p, double level) {
-    return scene.tree.crossings(scene.curves, p, far_off, level) % 2 != 0;
+    return crossings(scene.tree, scene.curves, p, far_off, level) % 2 != 0;
 }
 
 struct Outcome {

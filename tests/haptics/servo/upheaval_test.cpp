@@ -1,6 +1,7 @@
 // Everything that may change under a hand changes, at random and at once, through the whole servo
 // step: level, range, stiffness, friction, mode and picture. It never lets the hand through.
 #include "haptics/servo/servo_step.h"
+#include "tests/haptics/collision/crossings.h"
 #include "tests/haptics/scenes.h"
 #include "tests/haptics/servo/rigs.h"
 #include "tests/haptics/tick.h"
@@ -32,7 +33,7 @@ struct Changes {
 };
 
 bool is_inside(const Scene& scene, const HandState& hand) {
-    return scene.tree.crossings(scene.curves, hand.p_WP, far_off, hand.level) % 2 != 0;
+    return crossings(scene.tree, scene.curves, hand.p_WP, far_off, hand.level) % 2 != 0;
 }
 
 class Upheaval {
