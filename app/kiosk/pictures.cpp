@@ -167,8 +167,7 @@ void Pictures::keep_lines(PictureSource source, const std::string& title, const 
 
 void Pictures::put_stick(std::vector<FilePtr> files) {
     stick_ = std::move(files);
-    std::erase_if(felt_,
-                  [](const auto& each) { return each.first.first == PictureSource::stick; });
+    std::erase_if(felt_, [](const auto& each) { return each.first.first == PictureSource::stick; });
 }
 
 void Pictures::forget() {
