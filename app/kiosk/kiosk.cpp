@@ -236,12 +236,24 @@ void Kiosk::follow_loader() {
         if (news->felt && operator_ && !news->is_better)
             operator_->count_picture(picture_.order().source, today());
         apply(news->event);
+        keep_lines_of_felt();
     }
     if (const auto things = picture_.take_things()) {
         if (!things->why_not.empty())
             report("a photograph's main thing was not looked for: " + things->why_not);
         apply(ThingsLookedFor{things->request, things->place, things->names});
     }
+}
+
+/// The first page of a picture stands for it in its list.
+void Kiosk::keep_lines_of_felt() {
+    const auto& felt = visit_.visitor.felt;
+    if (!felt || felt->order.request != picture_.order().request) return;
+    const LoadPicture& order = felt->order;
+    const bool is_of_list =
+        order.source == PictureSource::gallery || order.source == PictureSource::stick;
+    if (is_of_list && order.page == 1 && order.zoom.factor <= 1.0)
+        pictures_.keep_lines(order.source, felt->facts.title, *picture_.map());
 }
 
 void Kiosk::follow_camera() {
@@ -274,11 +286,16 @@ DrawnPicture Kiosk::drawn() const {
 }
 
 std::vector<LineDrawingPtr> Kiosk::pictures_of(const SpokenScreen& screen) const {
+    const bool is_stick = open_screen(visit_) == VisitScreen::stick;
+    const bool is_list = is_stick || open_screen(visit_) == VisitScreen::gallery;
+    if (is_operator_in() || !is_list) return {};
+    const PictureSource source = is_stick ? PictureSource::stick : PictureSource::gallery;
     std::vector<LineDrawingPtr> pictures;
-    if (is_operator_in() || open_screen(visit_) != VisitScreen::gallery) return pictures;
     for (const ScreenItem& item : screen.items)
-        pictures.push_back(pictures_.lines_of(item.name, visit_.visitor.sound.language));
-    return pictures;
+        pictures.push_back(pictures_.lines_of(source, item.name, visit_.visitor.sound.language));
+    const bool is_any =
+        std::ranges::any_of(pictures, [](const LineDrawingPtr& each) { return each != nullptr; });
+    return is_any ? pictures : std::vector<LineDrawingPtr>();
 }
 
 void Kiosk::follow_handle() {

@@ -122,7 +122,8 @@ class Kiosk : private Pinned {
     /// What is felt; while nobody is here, a picture of the gallery and a hand that feels it.
     [[nodiscard]] DrawnPicture drawn() const;
 
-    /// The lines of each item that is a picture of the gallery, else null. Empty if none is.
+    /// The lines of each item that is a picture of the gallery, or one that this visitor has felt;
+    /// else null. Empty if none is.
     [[nodiscard]] std::vector<LineDrawingPtr> pictures_of(const SpokenScreen& screen) const;
 
     /// How a visitor's two switches are used; none while the operator, who has all keys, is in.
@@ -176,6 +177,7 @@ class Kiosk : private Pinned {
     void follow_stick(std::int64_t now_ns);
     void offer(std::vector<FilePtr> files, const StickRest& rest);
     void follow_loader();
+    void keep_lines_of_felt();
     void follow_camera();
     void tick();
     void follow_handle();

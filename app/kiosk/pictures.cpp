@@ -148,17 +148,32 @@ FilePtr Pictures::of(const LoadPicture& order) const {
     return nullptr;
 }
 
-LineDrawingPtr Pictures::lines_of(const std::string& title, std::size_t language) const {
-    if (language >= gallery_.titles.size()) return nullptr;
-    const std::vector<GalleryTitle>& titles = gallery_.titles[language];
-    const auto found = std::ranges::find(titles, title, &GalleryTitle::title);
-    const auto place = static_cast<std::size_t>(found - titles.begin());
-    return place < gallery_.lines.size() ? gallery_.lines[place] : nullptr;
+LineDrawingPtr Pictures::lines_of(PictureSource source, const std::string& title,
+                                  std::size_t language) const {
+    if (source == PictureSource::gallery && language < gallery_.titles.size()) {
+        const std::vector<GalleryTitle>& titles = gallery_.titles[language];
+        const auto found = std::ranges::find(titles, title, &GalleryTitle::title);
+        const auto place = static_cast<std::size_t>(found - titles.begin());
+        if (place < gallery_.lines.size()) return gallery_.lines[place];
+    }
+    const auto felt = felt_.find({source, title});
+    return felt == felt_.end() ? nullptr : felt->second;
+}
+
+void Pictures::keep_lines(PictureSource source, const std::string& title, const TactileMap& map) {
+    LineDrawingPtr& lines = felt_[{source, title}];
+    if (!lines) lines = std::make_shared<const LineDrawing>(line_drawing(map));
+}
+
+void Pictures::put_stick(std::vector<FilePtr> files) {
+    stick_ = std::move(files);
+    std::erase_if(felt_, [](const auto& each) { return each.first.first == PictureSource::stick; });
 }
 
 void Pictures::forget() {
     stick_.clear();
     photo_.reset();
+    felt_.clear();
 }
 
 std::optional<PictureFailed> OrderedPicture::want(const LoadPicture& order, const Visitor& visitor,

@@ -14,6 +14,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -47,11 +48,14 @@ class Pictures {
 
     [[nodiscard]] const AttractPicture& attract() const { return gallery_.attract; }
 
-    /// The lines of the picture with this title; null: there is none, or it is of a pack.
-    /// O(pictures).
-    [[nodiscard]] LineDrawingPtr lines_of(const std::string& title, std::size_t language) const;
+    /// The lines of the picture with this title in its list; null: they are not known. O(pictures).
+    [[nodiscard]] LineDrawingPtr lines_of(PictureSource source, const std::string& title,
+                                          std::size_t language) const;
 
-    void put_stick(std::vector<FilePtr> files) { stick_ = std::move(files); }
+    /// The picture is felt: keeps its lines for the list until the visitor or the stick goes.
+    void keep_lines(PictureSource source, const std::string& title, const TactileMap& map);
+
+    void put_stick(std::vector<FilePtr> files);
 
     /// These are offered to every visitor in a stick's place, while there is none.
     void give(std::vector<FilePtr> files) { given_ = std::move(files); }
@@ -69,6 +73,7 @@ class Pictures {
     std::vector<FilePtr> given_;
     std::vector<FilePtr> stick_;
     FilePtr photo_;
+    std::map<std::pair<PictureSource, std::string>, LineDrawingPtr> felt_;  // by their titles
 };
 
 /// What a delivery means for the visit and the servo.

@@ -21,9 +21,9 @@ enum class ItemRole : std::uint8_t { text, choice, setting, toggle };
 struct ScreenItem {
     int id = 0;  // what it stands for, to the screen's maker
     ItemRole role = ItemRole::choice;
-    std::string name;        // never empty
-    std::string value;       // of a setting or toggle, in words; else empty
-    std::string hint;        // one sentence, said after a pause; may be empty
+    std::string name;   // never empty
+    std::string value;  // of a setting or toggle, in words; else empty
+    std::string hint;   // one sentence, said after a pause; may be empty
     /// "picture 37 of 205", or empty; nothing: that among the items of the screen.
     std::optional<std::string> place = {};
 

@@ -50,6 +50,47 @@ TEST(Drawn, EachPictureOfTheGalleryHasItsLines) {
     EXPECT_EQ(pictures.back(), nullptr);  // the way back
 }
 
+/// How many items of the open screen have lines.
+std::ptrdiff_t drawn_items(KioskWorld& world) {
+    const auto pictures = world.kiosk().pictures_of(world.kiosk().screen());
+    return std::ranges::count_if(pictures, [](const auto& lines) { return lines != nullptr; });
+}
+
+void enter_stick(KioskWorld& world) {
+    world.press(KeyRole::select);
+    world.run(key_s);
+    take_item(world, "English");
+    take_item(world, "Your USB stick");
+}
+
+TEST(Drawn, APictureOfAStickHasItsLinesOnceItWasFeltAndNotForTheNextVisitor) {
+    const std::string gallery = TOUCHLINE_SOURCE_DIR "/app/documents/gallery/pictures/";
+    KioskWorld world;
+    world.run(0.1);
+    world.put_stick({gallery + "06-fish.svg", gallery + "07-house.svg"});
+    enter_stick(world);
+    world.run(1.0);
+    EXPECT_EQ(drawn_items(world), 0);
+    world.press(KeyRole::select);
+    world.run(3.0);
+    ASSERT_TRUE(world.kiosk().visit().visitor.felt);
+    take_item(world, "Another picture");
+    ASSERT_EQ(open_screen(world.kiosk().visit()), VisitScreen::stick);
+    const auto pictures = world.kiosk().pictures_of(world.kiosk().screen());
+    ASSERT_EQ(pictures.size(), 3U);
+    EXPECT_NE(pictures[0], nullptr);
+    EXPECT_EQ(drawn_items(world), 1) << "the other one was not opened";
+    for (int i = 0; i < 2; ++i) {
+        world.press(KeyRole::back);
+        world.run(key_s);
+    }
+    take_item(world, "Yes");
+    enter_stick(world);
+    world.run(1.0);
+    ASSERT_EQ(open_screen(world.kiosk().visit()), VisitScreen::stick);
+    EXPECT_EQ(drawn_items(world), 0);
+}
+
 TEST(Drawn, TheLiveViewTellsTheTitleOfWhatIsFelt) {
     KioskWorld world;
     world.run(0.1);

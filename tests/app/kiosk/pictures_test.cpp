@@ -56,6 +56,25 @@ TEST(Pictures, OneThatCannotBeOpenedIsToldByItsTitle) {
     EXPECT_EQ(page.error().line.find(folder.string()), std::string::npos) << page.error().line;
 }
 
+TEST(Pictures, TheLinesOfWhatWasFeltAreOfItsListAlone) {
+    Pictures pictures(Gallery{});
+    TactileMap map;
+    map.outlines.push_back({{{0.0, 0.0}, {0.01, 0.0}}, false, "a", "", 1.0, 1});
+    const auto has = [&pictures](PictureSource source) {
+        return pictures.lines_of(source, "A fish", 0) != nullptr;
+    };
+    pictures.keep_lines(PictureSource::stick, "A fish", map);
+    pictures.keep_lines(PictureSource::gallery, "A fish", map);
+    EXPECT_TRUE(has(PictureSource::stick));
+    EXPECT_TRUE(has(PictureSource::gallery));
+    EXPECT_EQ(pictures.lines_of(PictureSource::stick, "A house", 0), nullptr);
+    pictures.put_stick({file_named("stick")});
+    EXPECT_FALSE(has(PictureSource::stick)) << "another stick may have another fish";
+    EXPECT_TRUE(has(PictureSource::gallery));
+    pictures.forget();
+    EXPECT_FALSE(has(PictureSource::gallery));
+}
+
 TEST(Pictures, AChoiceIsAFileOrNothing) {
     Gallery gallery;
     gallery.files = {{file_named("a"), file_named("b")}};

@@ -265,8 +265,9 @@ TEST(VisitLists, WhoeverIsInTheListOfAStickThatGoesHearsWhereTheyAreAndWhatToDo)
     to_stick(house, two_hundred_and_five_names());
     house.press(KeyRole::select);
     house.apply(StickGone{});
-    EXPECT_EQ(house.last_said(), "The USB stick is out. Your USB stick. Put one into the USB slot; "
-                                 "nothing is written to it. Back");
+    EXPECT_EQ(house.last_said(),
+              "The USB stick is out. Your USB stick. Put one into the USB slot; "
+              "nothing is written to it. Back");
     house.apply(StickCame{{"apple.png"}, {}});
     house.press(KeyRole::select);
     house.wait(0.5);
