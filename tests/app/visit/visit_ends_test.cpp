@@ -62,8 +62,8 @@ TEST(Visit, WhoWasLedRoundThePracticeShapeHearsWhatCanBeDoneNext) {
     ASSERT_TRUE(house.choose("Guide me round the outline"));
     house.wait(5.0);
     EXPECT_EQ(house.last_said(),
-              "You have gone all the way round. Now feel it alone, choose another shape, or go on "
-              "to the pictures. Guide me round the outline, 1 of 4");
+              "You have gone all the way round. Now feel it alone, choose another shape, or go on. "
+              "Guide me round the outline, 1 of 4");
 }
 
 /// Passes an hour in which the handle shakes, is led and rests on lines, and no hand moves it.
