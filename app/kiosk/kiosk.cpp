@@ -37,6 +37,7 @@ struct Kiosk::VisitOrderHandler {
     /// The visit is silent while the operator is in.
     void operator()(const Utterance& utterance) const {
         if (kiosk.is_operator_in() && utterance.priority != SpeechPriority::safety) return;
+        kiosk.key_caption_.clear();
         kiosk.sound_->say(utterance);
     }
 

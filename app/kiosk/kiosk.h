@@ -192,6 +192,9 @@ class Kiosk : private Pinned {
 
     /// Says a text of the context "operator" to whoever pressed a key of the staff.
     void answer_staff(const std::string& english);
+
+    /// Says what the visit knows nothing of.
+    void say_of_key(const std::string& text);
     void press_for_visit(KeyRole role);
     void press_switch(SwitchEvent event);
     void scan_by_itself();
@@ -226,6 +229,7 @@ class Kiosk : private Pinned {
     std::unique_ptr<PhotoCapture> photos_;
     std::unique_ptr<OperatorSession> operator_;
     std::string operator_caption_;
+    std::string key_caption_;  // said of a key; empty once the visit has spoken again
     KioskKeys keys_;
     SiteHours hours_;
     std::function<std::chrono::sys_days()> today_;

@@ -22,7 +22,12 @@ void Kiosk::change_key(const KeyChange& change) {
 }
 
 void Kiosk::answer_staff(const std::string& english) {
-    sound_->say({language().code(), language().text("operator", english), SpeechPriority::text});
+    say_of_key(language().text("operator", english));
+}
+
+void Kiosk::say_of_key(const std::string& text) {
+    key_caption_ = text;
+    sound_->say({language().code(), text, SpeechPriority::text});
 }
 
 /// The window system tells of a held key many times a second.
@@ -79,7 +84,7 @@ void Kiosk::press_switch(SwitchEvent event) {
     const double pace_s = settings_.two_switches == SwitchUse::by_itself ? settings_.scan_s : 0.0;
     SwitchStep step = step_switches(keys_.scan, event, screen(), pace_s, now_s_, language());
     keys_.scan = step.scan;
-    if (!step.said.empty()) sound_->say({language().code(), step.said, SpeechPriority::text});
+    if (!step.said.empty()) say_of_key(step.said);
     if (step.press) apply(KeyPressed{*step.press});
 }
 

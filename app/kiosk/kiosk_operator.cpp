@@ -69,7 +69,8 @@ SpokenScreen Kiosk::screen() const {
 }
 
 const std::string& Kiosk::caption() const {
-    return is_operator_in() ? operator_caption_ : visit_.visitor.caption.text;
+    if (is_operator_in()) return operator_caption_;
+    return key_caption_.empty() ? visit_.visitor.caption.text : key_caption_;
 }
 
 void Kiosk::tell_operator(const OperatorEvent& event) {

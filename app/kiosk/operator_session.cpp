@@ -361,9 +361,10 @@ void OperatorSession::count_visit(double minutes, std::chrono::sys_days today) {
     keep_counts();
 }
 
-/// Written once a minute at most: a plug that is loose is many faults.
+/// Written at once, for what is faulty may end the kiosk too; and once a second at most: a plug
+/// that is loose is many faults.
 void OperatorSession::count_faults(std::uint64_t began, std::chrono::sys_days today, double now_s) {
-    constexpr double between_s = 60.0;
+    constexpr double between_s = 1.0;
     if (began > 0) {
         counts_on(today, days_).faults += began;
         is_fault_unkept_ = true;

@@ -41,6 +41,17 @@ double widest_sign_px(cairo_t* cr, double cap_px, const Language& language) {
     return widest_px;
 }
 
+/// Keeps the last words in one line: "1 of 5" says little in two, and less on two pages.
+std::string with_whole_end(std::string caption) {
+    constexpr std::size_t longest = 16;  // "no. 1234 of 5678"
+    constexpr const char* no_break_space = "\xC2\xA0";
+    const std::size_t comma = caption.rfind(", ");
+    if (comma == std::string::npos || caption.size() - comma > longest) return caption;
+    for (std::size_t at = caption.rfind(' '); at > comma + 1; at = caption.rfind(' ', at))
+        caption.replace(at, 1, no_break_space);
+    return caption;
+}
+
 }  // namespace
 
 CaptionLayout lay_out_caption(cairo_t* cr, const std::string& caption, const Rect& rect,
@@ -53,7 +64,7 @@ CaptionLayout lay_out_caption(cairo_t* cr, const std::string& caption, const Rec
                     rect.height - margin_px - foot_px};
     CaptionLayout layout;
     layout.rect = rect;
-    layout.text = turned_text(cr, caption, room, {sizes.cap_px}, sizes.normal_px);
+    layout.text = turned_text(cr, with_whole_end(caption), room, {sizes.cap_px}, sizes.normal_px);
     layout.foot = {room.x, room.y + room.height, across_px, foot_px};
     layout.sizes = sizes;
     layout.has_key_names = legend_width_px(cr, whole_legend(language), sizes) +

@@ -26,6 +26,11 @@ class PageFiller {
         }
     }
 
+    void turn() {
+        pages_.emplace_back();
+        top_px_ = 0.0;
+    }
+
     [[nodiscard]] std::vector<SheetPage> pages() && { return std::move(pages_); }
 
   private:
@@ -45,11 +50,6 @@ class PageFiller {
         constexpr double rounding = 1e-6;  // a page made for n rows holds n
         return static_cast<std::size_t>(
             std::max(std::floor(room_px / metrics_.row_px + rounding), 1.0));
-    }
-
-    void turn() {
-        pages_.emplace_back();
-        top_px_ = 0.0;
     }
 
     void place(const RowBlock& block, std::size_t first, std::size_t count) {
@@ -74,6 +74,24 @@ bool holds(const SheetPage& page, std::size_t item) {
                        [item](const PlacedItem& placed) { return placed.item == item; });
 }
 
+/// Begins a page with the block `turn_before`, whatever room there is.
+std::vector<SheetPage> filled_pages(std::span<const RowBlock> blocks, const PageMetrics& metrics,
+                                    std::size_t turn_before) {
+    PageFiller filler(metrics);
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        if (i == turn_before) filler.turn();
+        filler.add(blocks[i]);
+    }
+    return std::move(filler).pages();
+}
+
+/// One item alone, most often Back, looks like another list. A page that has few anyway keeps them.
+bool has_lonely_end(const std::vector<SheetPage>& pages) {
+    constexpr std::size_t few = 2;
+    return pages.size() > 1 && pages.back().items.size() == 1 &&
+           pages[pages.size() - 2].items.size() > few;
+}
+
 }  // namespace
 
 double mark_room_px(PhraseMark mark, double cap_px) {
@@ -81,9 +99,10 @@ double mark_room_px(PhraseMark mark, double cap_px) {
 }
 
 std::vector<SheetPage> pages_of(std::span<const RowBlock> blocks, const PageMetrics& metrics) {
-    PageFiller filler(metrics);
-    for (const RowBlock& block : blocks) filler.add(block);
-    return std::move(filler).pages();
+    std::vector<SheetPage> pages = filled_pages(blocks, metrics, blocks.size());
+    if (!has_lonely_end(pages)) return pages;
+    std::vector<SheetPage> evener = filled_pages(blocks, metrics, blocks.size() - 2);
+    return evener.size() > pages.size() ? pages : evener;
 }
 
 std::int64_t reading_time_ns(const SheetPage& page) {

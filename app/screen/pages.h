@@ -65,7 +65,8 @@ struct SheetPage {
     std::vector<PlacedItem> items;
 };
 
-/// Returns at least one page. A page too low for a single row still holds one. O(phrases).
+/// Returns at least one page. A page too low for a single row still holds one. The last item of a
+/// list has another beside it where pages hold three. O(phrases).
 [[nodiscard]] std::vector<SheetPage> pages_of(std::span<const RowBlock> blocks,
                                               const PageMetrics& metrics);
 

@@ -239,9 +239,12 @@ void ScreenLayers::paint_curtain() {
     for (StillLayer* layer : {&header_, &captions_, &picture_, &panel_}) renew(*layer, {});
     cairo_t* const cr = sheet_.canvas.context();
     fill(cr, all, {black});
+    const Rect band = arrange(width_px_, height_px_, sizes_, {}).captions;
+    const double margin_px = 0.5 * sizes_.normal_px;
     const TurnedText line = turned_text(
         cr, shown_.language.text("screen", "The screen is off. Settings, Screen turns it on."),
-        arrange(width_px_, height_px_, sizes_, {}).captions, {sizes_.normal_px}, 1.0);
+        {band.x + margin_px, band.y, band.width - 2.0 * margin_px, band.height}, {sizes_.normal_px},
+        1.0);
     paint_turned(cr, line, 0, dim);
 }
 

@@ -20,6 +20,7 @@ constexpr double column_gap_caps = 1.5;    // between them side by side
 constexpr double item_gap_caps = 0.1;
 constexpr double item_inset_caps = 0.18;  // room for the focus frame
 constexpr double pointer_caps = 1.2;      // room for its pointer
+constexpr double item_end_caps = 0.6;     // after an item's words: a value's mark, or nothing
 constexpr double picture_gap_caps = 0.5;  // after the small picture
 
 std::vector<PhraseRow> rows_of(cairo_t* cr, double width_px, LineStyle style,
@@ -43,15 +44,14 @@ void add_value(std::vector<PhraseRow>& rows, cairo_t* cr, double width_px, doubl
     if (item.value.empty()) return;
     const PhraseMark mark = mark_of(item.role);
     const double mark_px = mark_room_px(mark, cap_px);
-    std::vector<PhraseRow> values =
-        rows_of(cr, width_px - 2.0 * mark_px, {cap_px, true}, item.value);
+    std::vector<PhraseRow> values = rows_of(cr, width_px - mark_px, {cap_px, true}, item.value);
     for (PhraseRow& row : values) {
         row.front().x_px = mark_px;
         row.front().mark = mark;
     }
     if (rows.size() == 1 && values.size() == 1) {
         Phrase& value = values.front().front();
-        const double right_px = width_px - mark_px - value.width_px;
+        const double right_px = width_px - value.width_px;
         if (rows.front().front().width_px + cap_px + mark_px <= right_px) {
             value.x_px = right_px;
             rows.front().push_back(std::move(value));
@@ -76,7 +76,7 @@ std::vector<RowBlock> blocks_of_list(cairo_t* cr, const SpokenScreen& screen, do
                                      double cap_px, double picture_px) {
     std::vector<RowBlock> blocks;
     const double before_px = before_name_px(cap_px, picture_px);
-    const double room_px = width_px - 2.0 * item_inset_caps * cap_px - before_px;
+    const double room_px = width_px - (2.0 * item_inset_caps + item_end_caps) * cap_px - before_px;
     for (std::size_t i = 0; i < screen.items.size(); ++i) {
         const ScreenItem& item = screen.items[i];
         RowBlock block{rows_of(cr, room_px, {cap_px, false}, item.name), i};

@@ -209,6 +209,10 @@ TEST(WholeVisit, WithTwoSwitches) {
     EXPECT_FALSE(world.servo().picture().map->outlines.empty());
     ASSERT_TRUE(move_to("Back")) << "keys are items too";
     select();
+    ASSERT_TRUE(move_to("Repeat"));
+    EXPECT_EQ(world.kiosk().caption(), "Repeat") << "who cannot hear reads which key is next";
+    select();
+    EXPECT_NE(world.kiosk().caption(), "Repeat");
     EXPECT_TRUE(is_visit_on(world.kiosk().visit()));
 }
 

@@ -3,10 +3,12 @@
 
 #include "app/screen/canvas.h"
 #include "audio-cues/words/language.h"
+#include "tests/app/screen/every_screen.h"
 #include "tests/app/screen/probes.h"
 #include "tests/app/screen/sample_screens.h"
 
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -68,6 +70,26 @@ TEST(Captions, ASettingThatIsSaidKeepsItsEndAtTheLargestSize) {
         lay_out_caption(probe.context(), "Size of letters, largest, setting, 7 of 12",
                         arrange(1280, 720, sizes, {}).captions, sizes, {});
     EXPECT_EQ(layout.text.pages.size(), 1U);
+}
+
+/// A second page or line with nothing but "5" tells nobody what there are five of.
+TEST(Captions, APlaceInAListIsNotTornApart) {
+    const Canvas probe(1, 1);
+    for (const Language& language : every_language()) {
+        for (const auto& [w, h] : {std::pair{1280, 720}, {1920, 1080}}) {
+            const TextSizes sizes = text_sizes(TextSize::normal, usual_cap_px, w, h);
+            const Rect band = arrange(w, h, sizes, {}).captions;
+            for (const NamedScreen& each : every_screen(language)) {
+                if (!each.screen.focus) continue;
+                const std::string spoken = spoken_screen(each.screen, language);
+                const std::string place = without_spaces(spoken.substr(spoken.rfind(", ") + 2));
+                const CaptionLayout layout =
+                    lay_out_caption(probe.context(), spoken, band, sizes, language);
+                const std::string& last = layout.text.pages.back().phrases.back().phrase.text;
+                EXPECT_TRUE(without_spaces(last).ends_with(place)) << spoken;
+            }
+        }
+    }
 }
 
 TEST(KeyLegend, ShowsTheKeysThatDoSomething) {

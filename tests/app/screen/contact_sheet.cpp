@@ -12,6 +12,8 @@ namespace {
 constexpr double name_cap_px = 10.0;
 constexpr double line_px = 4.0;
 
+}  // namespace
+
 void paint_at(const Canvas& onto, const Canvas& canvas, PixelPoint at, double scale) {
     cairo_t* const cr = onto.context();
     cairo_save(cr);
@@ -22,8 +24,6 @@ void paint_at(const Canvas& onto, const Canvas& canvas, PixelPoint at, double sc
     cairo_paint(cr);
     cairo_restore(cr);
 }
-
-}  // namespace
 
 Canvas composed(const ScreenLayers& layers, int width_px, int height_px) {
     Canvas screen(width_px, height_px);

@@ -9,6 +9,9 @@
 
 namespace touchline {
 
+/// Paints `canvas` with its upper left corner there, made smaller by `scale`.
+void paint_at(const Canvas& onto, const Canvas& canvas, PixelPoint at, double scale);
+
 /// Composes the layers as they lie on a screen of this size, with the picture's lines and without
 /// the hand.
 [[nodiscard]] Canvas composed(const ScreenLayers& layers, int width_px, int height_px);

@@ -1,13 +1,12 @@
 #include "tests/app/screen/every_screen.h"
 
-#include "app/operator/operator.h"
 #include "app/visit/told_lines.h"
-#include "app/visit/visit.h"
 #include "tests/app/visit/fake_world.h"
 #include "tests/app/visit/visit_scenes.h"
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 namespace touchline {
 namespace {
@@ -15,20 +14,6 @@ namespace {
 std::size_t place_of(const Language& language, const std::vector<Language>& languages) {
     const auto at = std::ranges::find(languages, language.code(), &Language::code);
     return static_cast<std::size_t>(at - languages.begin());
-}
-
-void add_visit(const Language& language, std::vector<NamedScreen>& screens) {
-    const FakeHouse house;
-    for (std::size_t i = 0; i < visit_screen_count; ++i) {
-        const auto wanted = static_cast<VisitScreen>(i);
-        const auto& scenes = scenes_of_all_screens();
-        const auto scene = std::ranges::find_if(
-            scenes, [wanted](const Visit& visit) { return open_screen(visit) == wanted; });
-        if (scene == scenes.end()) continue;
-        Visit visit = *scene;
-        visit.visitor.sound.language = place_of(language, house.languages);
-        screens.push_back({"visit " + std::to_string(i), screen_of(visit, house.world())});
-    }
 }
 
 OperatorWorld busy_world(const Language& language) {
@@ -53,22 +38,36 @@ OperatorWorld busy_world(const Language& language) {
     return world;
 }
 
-void add_operator(const Language& language, std::vector<NamedScreen>& screens) {
-    for (std::size_t i = 1; i < operator_place_count; ++i) {  // 0 is closed
-        Operator state;
-        state.place = static_cast<OperatorPlace>(i);
-        state.wizard = start_key_wizard(0.0);
-        screens.push_back(
-            {"operator " + std::to_string(i), operator_screen(state, busy_world(language))});
-    }
+}  // namespace
+
+std::optional<SpokenScreen> visit_screen(VisitScreen wanted, const Language& language) {
+    const auto& scenes = scenes_of_all_screens();
+    const auto scene = std::ranges::find(scenes, wanted, open_screen);
+    if (scene == scenes.end()) return std::nullopt;
+    const FakeHouse house;
+    Visit visit = *scene;
+    visit.visitor.sound.language = place_of(language, house.languages);
+    return screen_of(visit, house.world());
 }
 
-}  // namespace
+SpokenScreen staff_screen(OperatorPlace place, const Language& language) {
+    Operator state;
+    state.place = place;
+    state.wizard = start_key_wizard(0.0);
+    return operator_screen(state, busy_world(language));
+}
 
 std::vector<NamedScreen> every_screen(const Language& language) {
     std::vector<NamedScreen> screens;
-    add_visit(language, screens);
-    add_operator(language, screens);
+    const auto add = [&screens](const std::string& whose, std::size_t number, SpokenScreen screen) {
+        const std::string name = whose + ' ' + std::to_string(number) + ": " + screen.title;
+        screens.push_back({name, std::move(screen)});
+    };
+    for (std::size_t i = 0; i < visit_screen_count; ++i)
+        if (auto screen = visit_screen(static_cast<VisitScreen>(i), language))
+            add("visit", i, std::move(*screen));
+    for (std::size_t i = 1; i < operator_place_count; ++i)  // 0 is closed
+        add("staff", i, staff_screen(static_cast<OperatorPlace>(i), language));
     return screens;
 }
 

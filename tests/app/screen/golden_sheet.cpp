@@ -9,9 +9,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <stdexcept>
 #include <utility>
 #include <vector>
+
+#include <fmt/format.h>
 
 namespace touchline {
 namespace {
@@ -79,14 +82,14 @@ ScreenContent curtain(const GoldenLook& look) {
     return content;
 }
 
-std::vector<std::pair<std::string, ScreenContent>> golden_screens(const GoldenLook& look) {
-    std::vector<std::pair<std::string, ScreenContent>> screens{
-        {"gallery with pictures", gallery_content(look)},
-        {"live view", live_screen(look)},
-        {"screen off", curtain(look)}};
-    for (const NamedScreen& each : every_screen(Language()))
-        screens.emplace_back(each.name, drawn_content(each.screen, Language(), look));
-    return screens;
+ScreenContent visit_content(VisitScreen which, const GoldenLook& look) {
+    return drawn_content(visit_screen(which, Language()).value(), Language(), look);
+}
+
+ScreenContent picture_content(const GoldenLook& look) {
+    SpokenScreen screen = visit_screen(VisitScreen::picture, Language()).value();
+    screen.title = "A fish";
+    return drawn_content(screen, Language(), look);
 }
 
 }  // namespace
@@ -107,22 +110,85 @@ ScreenContent drawn_content(const SpokenScreen& screen, const Language& language
     return content;
 }
 
+std::vector<NamedContent> every_content(const Language& language, const GoldenLook& look) {
+    std::vector<NamedContent> contents{{"gallery with pictures", gallery_content(look)},
+                                       {"live view", live_screen(look)},
+                                       {"screen off", curtain(look)}};
+    for (const NamedScreen& each : every_screen(language))
+        contents.push_back({each.name, drawn_content(each.screen, language, look)});
+    return contents;
+}
+
+Canvas drawn_screen(const ScreenContent& content, const GoldenLook& look) {
+    ScreenLayers layers(usual_cap_px);
+    layers.update(content, look.width_px, look.height_px, 0);
+    return composed(layers, look.width_px, look.height_px);
+}
+
+std::vector<GoldenLook> golden_looks() {
+    std::vector<GoldenLook> looks;
+    for (const auto& [width_px, height_px] : {std::pair{1280, 720}, {1920, 1080}})
+        for (std::size_t palette = 0; palette < palette_count; ++palette)
+            for (std::size_t size = 0; size < text_size_count; ++size)
+                looks.push_back({static_cast<TextSize>(size), static_cast<PaletteName>(palette),
+                                 width_px, height_px});
+    return looks;
+}
+
 std::string golden_file(const GoldenLook& look) {
     constexpr std::array palettes{"white-on-black", "black-on-white", "yellow-on-black",
                                   "low-glare-grey"};
     constexpr std::array sizes{"normal", "large", "larger", "largest"};
-    return std::string(palettes.at(static_cast<std::size_t>(look.palette))) + '-' +
-           sizes.at(static_cast<std::size_t>(look.size)) + ".png";
+    return fmt::format("{}-{}-{}x{}.png", palettes.at(static_cast<std::size_t>(look.palette)),
+                       sizes.at(static_cast<std::size_t>(look.size)), look.width_px,
+                       look.height_px);
 }
 
-Canvas golden_sheet(const GoldenLook& look) {
-    std::vector<Thumbnail> screens;
-    for (const auto& [name, content] : golden_screens(look)) {
-        ScreenLayers layers(usual_cap_px);
-        layers.update(content, look.width_px, look.height_px, 0);
-        screens.push_back({name, composed(layers, look.width_px, look.height_px)});
+GreyPicture grey_of(const Canvas& canvas) {
+    const Picture picture = picture_of(canvas);
+    GreyPicture grey{picture.width, picture.height, {}};
+    for (std::size_t i = 0; i < picture.bgr.size(); i += 3) {
+        const int sum = picture.bgr[i] + picture.bgr[i + 1] + picture.bgr[i + 2];
+        grey.grey.push_back(static_cast<std::uint8_t>(sum / 3));
     }
-    return contact_sheet(screens, golden_columns, golden_width_px);
+    return grey;
+}
+
+GoldenSheet golden_sheet(const GoldenLook& look) {
+    const std::vector<NamedContent> contents = every_content(Language(), look);
+    const int rows = (static_cast<int>(contents.size()) + golden_columns - 1) / golden_columns;
+    const Canvas sheet(golden_columns * golden_width_px, rows * golden_height_px);
+    GoldenSheet golden;
+    for (int i = 0; const auto& [name, content] : contents) {
+        const PixelPoint at{1.0 * golden_width_px * (i % golden_columns),
+                            1.0 * golden_height_px * (i / golden_columns)};
+        const double scale = 1.0 * golden_width_px / look.width_px;
+        paint_at(sheet, drawn_screen(content, look), at, scale);
+        golden.names.push_back(name);
+        ++i;
+    }
+    golden.picture = grey_of(sheet);
+    return golden;
+}
+
+Canvas key_screens() {
+    constexpr int columns = 2;
+    constexpr int width_px = 480;
+    const GoldenLook usual;
+    const GoldenLook largest{TextSize::largest, PaletteName::yellow_on_black};
+    std::vector<Thumbnail> screens;
+    const auto add = [&screens](const char* name, const ScreenContent& content,
+                                const GoldenLook& look) {
+        screens.push_back({name, drawn_screen(content, look)});
+    };
+    add("Nobody is here", visit_content(VisitScreen::attract, usual), usual);
+    add("What to feel", visit_content(VisitScreen::choose, usual), usual);
+    add("A list of the gallery", gallery_content(usual), usual);
+    add("A picture that is felt", picture_content(usual), usual);
+    add("The largest letters, in yellow", visit_content(VisitScreen::choose, largest), largest);
+    add("For the staff: the state of the kiosk",
+        drawn_content(staff_screen(OperatorPlace::status, Language()), Language(), usual), usual);
+    return contact_sheet(screens, columns, width_px);
 }
 
 }  // namespace touchline

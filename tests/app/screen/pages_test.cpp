@@ -3,6 +3,7 @@
 #include "tests/app/screen/probes.h"
 
 #include <set>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -24,6 +25,23 @@ std::vector<std::size_t> phrases_a_page(const std::vector<SheetPage>& pages) {
 TEST(Pages, ABlockThatDoesNotFitGoesToTheNextPageWhole) {
     const std::vector<RowBlock> blocks{block_of(2), block_of(2), block_of(1)};
     EXPECT_EQ(phrases_a_page(pages_of(blocks, {30.0, 10.0})), (std::vector<std::size_t>{2, 3}));
+}
+
+std::vector<RowBlock> items_of_a_row(std::size_t count) {
+    std::vector<RowBlock> blocks;
+    for (std::size_t i = 0; i < count; ++i) blocks.push_back(block_of(1, i));
+    return blocks;
+}
+
+TEST(Pages, TheLastItemIsNotAloneOnAPageIfPagesHoldThree) {
+    using Counts = std::vector<std::size_t>;
+    EXPECT_EQ(phrases_a_page(pages_of(items_of_a_row(8), {70.0, 10.0})), (Counts{6, 2}));
+    EXPECT_EQ(phrases_a_page(pages_of(items_of_a_row(9), {70.0, 10.0})), (Counts{7, 2}));
+    EXPECT_EQ(phrases_a_page(pages_of(items_of_a_row(4), {30.0, 10.0})), (Counts{2, 2}));
+    EXPECT_EQ(phrases_a_page(pages_of(items_of_a_row(3), {20.0, 10.0})), (Counts{2, 1}));
+    std::vector<RowBlock> tall = items_of_a_row(4);
+    tall.back() = block_of(3, 3);
+    EXPECT_EQ(phrases_a_page(pages_of(tall, {30.0, 10.0})), (Counts{3, 3})) << "not a page more";
 }
 
 TEST(Pages, ABlockLargerThanAPagePartsAndBeginsAPage) {

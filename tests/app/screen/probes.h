@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace touchline {
 
@@ -52,7 +53,12 @@ inline Rect ink_of(const Canvas& canvas) {
             static_cast<double>(right - left + 1), static_cast<double>(bottom - top + 1)};
 }
 
+/// Nor with spaces that do not break.
 inline std::string without_spaces(std::string text) {
+    constexpr std::string_view no_break_space = "\xC2\xA0";
+    for (std::size_t at = text.find(no_break_space); at != std::string::npos;
+         at = text.find(no_break_space))
+        text.erase(at, no_break_space.size());
     std::erase(text, ' ');
     return text;
 }

@@ -200,6 +200,7 @@ TEST(Curtain, ShowsHowToComeBackAndNothingElseWhateverThereIsAndFallsAtOnce) {
     const Rect ink = ink_of(fallen);
     EXPECT_GT(ink.width, 200.0);
     EXPECT_LT(ink.height, 2.0 * usual_cap_px);  // one line
+    EXPECT_GT(ink.x, 0.4 * usual_cap_px) << "a screen's rim may hide its first pixels";
     content.caption = "More of it";
     content.screen.title = "Another screen";
     for (int i = 0; i < 100; ++i)

@@ -1,10 +1,10 @@
-// Writes every screen in every language as one picture, for viewing, or all golden sheets.
+// Writes every screen in every language as one picture, for viewing; or the stored pictures: all
+// golden sheets, and the key screens of app/screen/README.md.
 #include "app/documents/decode/picture.h"
 #include "audio-cues/words/language.h"
 #include "tests/app/screen/contact_sheet.h"
-#include "tests/app/screen/every_screen.h"
 #include "tests/app/screen/golden_sheet.h"
-#include "tests/app/screen/probes.h"
+#include "tests/app/screen/sample_screens.h"
 
 #include <cstdlib>
 #include <string>
@@ -20,56 +20,45 @@ struct SheetOrder {
     GoldenLook look{TextSize::largest, PaletteName::white_on_black, 1920, 1080};
 };
 
-/// Adds `screens` in one language.
-void add_screens(std::vector<Thumbnail>& thumbnails, const std::vector<NamedScreen>& screens,
-                 const Language& language, const SheetOrder& order) {
-    for (const NamedScreen& each : screens) {
-        ScreenLayers layers(usual_cap_px);
-        const GoldenLook& look = order.look;
-        layers.update(drawn_content(each.screen, language, look), look.width_px, look.height_px, 0);
-        thumbnails.push_back({fmt::format("{}, {}", each.name, language.code()),
-                              composed(layers, look.width_px, look.height_px)});
-    }
-}
-
-int write_sheet(const SheetOrder& order) {
-    std::vector<Thumbnail> thumbnails;
-    constexpr int columns = 8;
-    for (const Language& language : every_language()) {
-        add_screens(thumbnails, every_screen(language), language, order);
-    }
-    constexpr int thumbnail_px = 480;
-    const auto done =
-        write_png(order.file, picture_of(contact_sheet(thumbnails, columns, thumbnail_px)));
+int told(const Result<void>& done) {
     if (done) return 0;
     fmt::print(stderr, "{}\n", done.error().line);
     return 1;
 }
 
-int write_golden_sheets(const std::string& folder) {
-    for (std::size_t i = 0; i < palette_count * text_size_count; ++i) {
-        const GoldenLook look{static_cast<TextSize>(i % text_size_count),
-                              static_cast<PaletteName>(i / text_size_count)};
-        const auto done =
-            write_png(folder + '/' + golden_file(look), picture_of(golden_sheet(look)));
-        if (done) continue;
-        fmt::print(stderr, "{}\n", done.error().line);
-        return 1;
+int write_sheet(const SheetOrder& order) {
+    std::vector<Thumbnail> thumbnails;
+    constexpr int columns = 8;
+    for (const Language& language : every_language())
+        for (const auto& [name, content] : every_content(language, order.look))
+            thumbnails.push_back(
+                {fmt::format("{}, {}", name, language.code()), drawn_screen(content, order.look)});
+    constexpr int thumbnail_px = 480;
+    return told(
+        write_png(order.file, picture_of(contact_sheet(thumbnails, columns, thumbnail_px))));
+}
+
+int write_golden_sheets(const std::string& source) {
+    for (const GoldenLook& look : golden_looks()) {
+        const GreyPicture sheet = golden_sheet(look).picture;
+        const auto done = write_png(source + "/tests/app/screen/golden/" + golden_file(look),
+                                    GreyView{sheet.width, sheet.height, sheet.grey});
+        if (!done) return told(done);
     }
-    return 0;
+    return told(write_png(source + "/app/screen/key-screens.png", picture_of(key_screens())));
 }
 
 }  // namespace
 }  // namespace touchline
 
 /// Usage: screen_sheet OUT.png [WIDTH HEIGHT [SIZE 0 ... 3 [PALETTE 0 ... 3]]]
-///        screen_sheet --golden FOLDER
+///        screen_sheet --golden SOURCE
 int main(int count, char** words) {
     using namespace touchline;
     if (count < 2) {
         fmt::print(stderr,
                    "usage: screen_sheet OUT.png [WIDTH HEIGHT [SIZE [PALETTE]]]\n"
-                   "       screen_sheet --golden FOLDER\n");
+                   "       screen_sheet --golden SOURCE\n");
         return 2;
     }
     if (count == 3 && words[1] == std::string("--golden")) return write_golden_sheets(words[2]);

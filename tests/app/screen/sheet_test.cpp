@@ -227,6 +227,24 @@ TEST(Sheet, SevenItemsFitOnePageOfTheSmallScreenWithAndWithoutPictures) {
     }
 }
 
+/// The frame of the focus hides no letter, and values stand in one column.
+TEST(Sheet, AnItemsWordsEndBeforeItsFrame) {
+    for_each_layout(
+        [](const SheetLayout& layout, const Case& each) {
+            const PagedPart& list = layout.list;
+            const double least_px = 0.5 * layout.sizes.cap_px;
+            for (std::size_t page = 0; page < list.pages.size(); ++page) {
+                for (const FaceLine& line : face_of(layout, each.screen, {0, page}).lines) {
+                    if (line.part != list.rect) continue;
+                    const double end_px = line.at.x + line.width_px;
+                    EXPECT_LE(end_px, list.rect.x + list.rect.width - list.inset_px - least_px)
+                        << each.name << ": " << line.text;
+                }
+            }
+        },
+        cases_of_the_kiosk(), std::array{TextSize::normal, TextSize::largest});
+}
+
 TEST(Sheet, TrianglesStandOnlyWhereUpAndDownChangeTheValue) {
     SpokenScreen screen{"Settings", "", {}, 0, ScreenView::none};
     screen.items.push_back({0, ItemRole::setting, "Volume", "4 of 7", ""});
