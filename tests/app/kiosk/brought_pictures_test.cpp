@@ -181,5 +181,21 @@ TEST(ThingHere, IsSaidWhetherItWasFoundOrNotAndThePictureStays) {
     EXPECT_EQ(*looks, 3);
 }
 
+/// The file has the title "A house".
+TEST(BroughtPictures, HaveOneNameWhereverItIsHeard) {
+    KioskWorld world;
+    BlindVisitor visitor(world);
+    world.put_stick({TOUCHLINE_SOURCE_DIR "/app/documents/gallery/pictures/07-house.svg"});
+    visitor.press(KeyRole::select);
+    ASSERT_TRUE(visitor.choose("English"));
+    ASSERT_TRUE(visitor.choose("Your USB stick"));
+    ASSERT_TRUE(visitor.choose("07 house"));
+    ASSERT_TRUE(visitor.wait_for("07 house. A house. It is small")) << visitor.heard();
+    EXPECT_EQ(world.kiosk().screen().title, "07 house");
+    visitor.press(KeyRole::back);
+    ASSERT_EQ(open_screen(world.kiosk().visit()), VisitScreen::choose);
+    EXPECT_EQ(world.kiosk().screen().items.front().value, "07 house");
+}
+
 }  // namespace
 }  // namespace touchline
