@@ -8,7 +8,6 @@
 
 #include <atomic>
 #include <csignal>
-#include <optional>
 #include <ostream>
 #include <utility>
 #include <vector>

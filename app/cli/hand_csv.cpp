@@ -3,11 +3,9 @@
 #include "config/types/utf8.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <span>
-#include <string>
 #include <utility>
 
 #include <fmt/format.h>

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cctype>
 #include <utility>
-#include <vector>
 
 #include <fmt/core.h>
 

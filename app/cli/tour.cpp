@@ -6,7 +6,6 @@
 #include "app/screen/tour_figure.h"
 #include "app/visit/proxy_radius.h"
 #include "config/types/utf8.h"
-#include "haptics/device/simulated_pantograph.h"
 #include "haptics/servo/servo_step.h"
 
 #include <algorithm>

@@ -5,10 +5,8 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <span>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 #include <fcntl.h>
 #include <linux/input.h>

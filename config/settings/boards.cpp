@@ -2,10 +2,7 @@
 
 #include "config/settings/settings_text.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <optional>
 #include <sstream>
 #include <utility>

@@ -4,7 +4,6 @@
 #include "config/types/utf8.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 
 #include <toml++/toml.h>

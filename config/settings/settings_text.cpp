@@ -1,6 +1,5 @@
 #include "config/settings/settings_text.h"
 
-#include "config/settings/setting_rows.h"
 #include "config/types/utf8.h"
 
 #include <algorithm>

@@ -11,8 +11,6 @@
 #include <cmath>
 #include <optional>
 
-#include <opencv2/imgproc.hpp>
-
 namespace touchline {
 namespace {
 

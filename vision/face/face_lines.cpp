@@ -3,9 +3,6 @@
 #include "vision/contour/gradient.h"
 #include "vision/simplify/shaping.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <span>

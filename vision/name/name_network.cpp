@@ -6,7 +6,6 @@
 #include <utility>
 
 #include <opencv2/dnn.hpp>
-#include <opencv2/imgproc.hpp>
 
 namespace touchline {
 namespace {

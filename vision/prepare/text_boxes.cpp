@@ -1,5 +1,7 @@
 #include "vision/prepare/text_boxes.h"
 
+#include "config/types/groups.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -23,28 +25,6 @@ constexpr double figure_part = 0.0015;  // of the picture: smaller boxes are spe
 struct Mark {
     cv::Rect box;
     int area_px = 0;
-};
-
-/// Sets of marks, by union and find.
-class Groups {
-  public:
-    explicit Groups(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0U); }
-
-    std::size_t of(std::size_t i) {
-        while (parent_[i] != i) {
-            parent_[i] = parent_[parent_[i]];
-            i = parent_[i];
-        }
-        return i;
-    }
-
-    void unite(std::size_t a, std::size_t b) {
-        const std::size_t first = std::min(of(a), of(b));
-        parent_[std::max(of(a), of(b))] = first;
-    }
-
-  private:
-    std::vector<std::size_t> parent_;
 };
 
 std::vector<Mark> marks_of(const cv::Mat1b& mask) {
@@ -90,7 +70,7 @@ Groups lines_among(const std::vector<Mark>& letters) {
         const cv::Rect& here = letters[order[k]].box;
         const int reach = here.br().x + static_cast<int>(gap_over_height * tallest);
         for (std::size_t j = k + 1; j < order.size() && letters[order[j]].box.x <= reach; ++j) {
-            if (are_neighbours(here, letters[order[j]].box)) groups.unite(order[k], order[j]);
+            if (are_neighbours(here, letters[order[j]].box)) groups.join(order[k], order[j]);
         }
     }
     return groups;
@@ -171,7 +151,7 @@ PageLayout page_layout(const Ink& ink) {
     if (letters.size() > most_marks) return {};
     Groups groups = lines_among(letters);
     std::vector<std::vector<Mark>> rows(letters.size());
-    for (std::size_t i = 0; i < letters.size(); ++i) rows[groups.of(i)].push_back(letters[i]);
+    for (std::size_t i = 0; i < letters.size(); ++i) rows[groups.first_of(i)].push_back(letters[i]);
     PageLayout layout;
     for (const std::vector<Mark>& row : rows) {
         if (static_cast<int>(row.size()) >= least_marks && stand_on_base_line(row) &&

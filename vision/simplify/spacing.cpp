@@ -9,8 +9,6 @@
 #include <set>
 #include <utility>
 
-#include <opencv2/imgproc.hpp>
-
 namespace touchline {
 namespace {
 

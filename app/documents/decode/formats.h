@@ -85,6 +85,12 @@ struct TextBox {
             std::max(a.bottom, b.bottom)};
 }
 
+/// Returns whether two boxes (left, top, right, bottom) have points in common.
+template <class Box>
+[[nodiscard]] constexpr bool meet(const Box& a, const Box& b) {
+    return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+}
+
 /// Metres of a page's `told` map per pixel of its picture. Any page then has an area below a metre.
 constexpr double told_m_per_px = 1e-4;
 

@@ -1,7 +1,5 @@
 #include "app/documents/decode/found_words.h"
 
-#include "app/documents/decode/answer_parts.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -107,15 +107,9 @@ std::vector<std::string_view> parts_of(std::string_view text, std::string_view b
     return parts;
 }
 
-std::string_view without(std::string_view text, std::string_view around) {
-    const auto first = text.find_first_not_of(around);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(around) - first + 1);
-}
-
 /// "1.16", "v62.1", "cs6": what follows the name of a program. No year, no plain number.
 bool is_version(std::string_view word) {
-    word = without(word, "v,.;()");
+    word = trimmed(word, "v,.;()");
     const auto digits = std::ranges::count_if(word, is_digit);
     const auto dots = std::ranges::count(word, '.');
     if (digits + dots == static_cast<std::ptrdiff_t>(word.size()))
@@ -157,7 +151,7 @@ bool is_a_mode(std::string_view text) {
 }
 
 bool is_value_of_a_machine(std::string_view value) {
-    value = without(value, " \t()[]");
+    value = trimmed(value, " \t()[]");
     if (value.empty() || value == "true" || value == "false" || value == "null") return true;
     return std::ranges::all_of(value, [](char c) {
         return is_digit(c) || std::string_view(".,-+ xe").find(c) != std::string_view::npos;
@@ -172,10 +166,10 @@ bool is_a_table(std::string_view text) {
     std::size_t count = 0;
     std::size_t plain = 0;
     for (const std::string_view part : parts_of(text, ";\n\r")) {
-        const std::string_view pair = without(part, " \t");
+        const std::string_view pair = trimmed(part, " \t");
         if (pair.empty()) continue;
         const auto colon = pair.find_first_of(":=");
-        const auto key = without(pair.substr(0, std::min(colon, pair.size())), " \t");
+        const auto key = trimmed(pair.substr(0, std::min(colon, pair.size())), " \t");
         if (colon == std::string_view::npos || key.find(' ') != std::string_view::npos)
             return false;
         ++count;
@@ -212,7 +206,7 @@ bool is_made_by_a_program(std::string_view text) {
     for (std::size_t i = 0; i + 2 < words.size() && i < 3; ++i) {
         if (!has(doings, words[i]) || !has(means, words[i + 1])) continue;
         const auto rest = std::span(words).subspan(i + 2);
-        const std::string_view name = without(rest[0], "\"'(,.;:)");
+        const std::string_view name = trimmed(rest[0], "\"'(,.;:)");
         const bool is_known = has(programs, name) || name.ends_with(".js") ||
                               name.ends_with(".io") || name.starts_with("http");
         const bool has_comma = rest[0].ends_with(',');
@@ -235,7 +229,7 @@ bool begins_with_a_program(std::string_view text) {
     const auto words = parts_of(text, " \t\n");
     if (words.size() < 2 || !has(programs, words[0])) return false;
     std::size_t names = 1;
-    while (names < words.size() && has(programs, without(words[names], ","))) ++names;
+    while (names < words.size() && has(programs, trimmed(words[names], ","))) ++names;
     return names == words.size() || is_version(words[names]);
 }
 
@@ -264,11 +258,11 @@ bool is_a_token(std::string_view text) {
 }  // namespace
 
 bool is_of_a_machine(std::string_view text) {
-    const std::string small = in_small_letters(without(text, " \t\r\n"));
+    const std::string small = in_small_letters(trimmed(text, " \t\r\n"));
     const bool is_in_small_letters = in_small_letters(text) == text;
     const bool is_in_capitals =
         std::ranges::none_of(text, [](char c) { return c >= 'a' && c <= 'z'; });
-    return has(whole_texts, without(small, ".")) || is_of_a_camera(small, is_in_capitals) ||
+    return has(whole_texts, trimmed(small, ".")) || is_of_a_camera(small, is_in_capitals) ||
            (is_in_small_letters && is_a_mode(small)) || is_a_table(small) ||
            is_a_placeholder(small) || is_made_by_a_program(small) || begins_with_a_program(small) ||
            is_a_token(small);

@@ -7,7 +7,6 @@
 #include "app/isolation/process/places.h"
 #include "app/isolation/sandbox/worker.h"
 
-#include <filesystem>
 #include <system_error>
 #include <utility>
 

@@ -1,6 +1,5 @@
 #include "app/documents/decode/page.h"
 
-#include "app/documents/decode/answer_parts.h"
 #include "app/documents/decode/one_line.h"
 #include "config/types/fields.h"
 #include "config/types/map_bytes.h"

@@ -36,10 +36,6 @@ Pixels pixels_of(const TextBox& box, double grown, int width, int height) {
             pixel(std::ceil(box.bottom + grown), height)};
 }
 
-bool meet(const Pixels& a, const Pixels& b) {
-    return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
-}
-
 /// Converts a part of a window to a part of the page.
 Pixels on_page(const Pixels& part, const Pixels& window) {
     return {part.left + window.left, part.top + window.top, part.right + window.left,

@@ -277,10 +277,6 @@ class Texts {
         });
     }
 
-    static bool meet(const TextBox& a, const TextBox& b) {
-        return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
-    }
-
     /// Takes the boxes of letters for a slanted word, whose own box holds much that is not the
     /// word.
     void add_boxes(const DrawnText& text, const DrawnWord& word, bool is_inked) {

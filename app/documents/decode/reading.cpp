@@ -35,10 +35,6 @@ constexpr int unseen_difference = 40;
 // If more of what is painted is near white, nothing would be seen.
 constexpr double unseen_share = 0.97;
 
-int lightness_of(const std::uint8_t* bgr) {
-    return (29 * bgr[0] + 150 * bgr[1] + 77 * bgr[2]) / 256;
-}
-
 /// White, as paper is; black if nearly everything painted is white, and something shows through.
 unsigned ground_for(const std::vector<std::uint8_t>& bgra) {
     std::uint64_t painted = 0;

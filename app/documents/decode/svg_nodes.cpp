@@ -16,12 +16,6 @@ namespace {
 
 constexpr std::string_view space = " \t\r\n";
 
-std::string_view trimmed(std::string_view text) {
-    const auto first = text.find_first_not_of(space);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(space) - first + 1);
-}
-
 /// Takes texts with their tags one by one and keeps the one that serves a language best: one with
 /// the same tag, else of the same language ("de" for "de-AT" and the other way round), else without
 /// a tag, else any. Among equals the first counts. Ignores the case of tags.
@@ -185,11 +179,11 @@ std::string_view property_of(const pugi::xml_node& element, const char* name) {
         const auto end = std::min(style.find(';'), style.size());
         const std::string_view entry = style.substr(0, end);
         const auto colon = entry.find(':');
-        if (colon != std::string_view::npos && trimmed(entry.substr(0, colon)) == name)
-            return trimmed(entry.substr(colon + 1));
+        if (colon != std::string_view::npos && trimmed(entry.substr(0, colon), space) == name)
+            return trimmed(entry.substr(colon + 1), space);
         style.remove_prefix(std::min(end + 1, style.size()));
     }
-    return trimmed(element.attribute(name).value());
+    return trimmed(element.attribute(name).value(), space);
 }
 
 bool is_hidden(const pugi::xml_node& element) {

@@ -3,8 +3,6 @@
 #include "app/isolation/process/places.h"
 #include "app/isolation/sandbox/worker.h"
 
-#include <string>
-
 namespace touchline {
 namespace {
 

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <exception>
 #include <filesystem>
-#include <string_view>
 #include <system_error>
 
 namespace touchline {

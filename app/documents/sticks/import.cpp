@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <csignal>
 #include <utility>
 
 namespace touchline {
@@ -23,6 +24,7 @@ bool is_for_operator(StickFileKind kind) {
 }
 
 StickRefusal refusal_of_end(const ChildEnd& end) {
+    if (end.signal == SIGKILL) return StickRefusal::out_of_memory;  // not ours: the kernel's
     const int refusal = end.status - first_refusal_status;
     if (end.signal == 0 && refusal >= 0 && refusal < stick_refusal_count)
         return static_cast<StickRefusal>(refusal);

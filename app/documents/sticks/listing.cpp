@@ -80,6 +80,8 @@ std::string_view why(StickRefusal refusal) {
         case StickRefusal::not_started:
             return " cannot be read because a part of Touchline is missing; please tell the "
                    "operator";
+        case StickRefusal::out_of_memory:
+            return " needs too much memory; save it smaller and bring it again";
     }
     return " cannot be read; choose another one";
 }

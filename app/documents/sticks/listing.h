@@ -58,8 +58,6 @@ struct StickRest {
     int office_files = 0;         // counted by the kiosk among a listing's entries
 
     friend bool operator==(const StickRest&, const StickRest&) = default;
-
-    [[nodiscard]] bool is_nothing() const { return *this == StickRest{}; }
 };
 
 struct StickListing {
@@ -99,9 +97,10 @@ enum class StickRefusal : std::uint8_t {
     locked,      // for another user, as is possible on ext4 and NTFS
     out_of_time,
     not_started,  // the importing program is missing, or its sandbox fails
+    out_of_memory,
 };
 
-inline constexpr int stick_refusal_count = 9;
+inline constexpr int stick_refusal_count = 10;
 
 /// touchline-import's exit status: this and the StickRefusal; 0 if everything was written, 2 for
 /// wrong words.

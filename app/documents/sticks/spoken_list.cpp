@@ -1,9 +1,9 @@
 #include "app/documents/sticks/spoken_name.h"
+#include "config/types/groups.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <map>
-#include <numeric>
 #include <set>
 #include <utility>
 
@@ -26,27 +26,6 @@ std::string folded(const std::string& text) {
     if (U_FAILURE(error) != 0) std::abort();  // an installation without ICU's tables
     return key;
 }
-
-/// The rows of a list, joined into groups; the first of a group stands for it.
-class Groups {
-  public:
-    explicit Groups(std::size_t rows) : before_(rows) {
-        std::iota(before_.begin(), before_.end(), std::size_t{0});
-    }
-
-    void join(std::size_t a, std::size_t b) {
-        const auto [first, second] = std::minmax({first_of(a), first_of(b)});
-        before_[second] = first;
-    }
-
-    std::size_t first_of(std::size_t row) {
-        while (before_[row] != row) row = before_[row] = before_[before_[row]];
-        return row;
-    }
-
-  private:
-    std::vector<std::size_t> before_;  // an earlier row of the same group, or itself
-};
 
 class Telling {
   public:

@@ -6,8 +6,6 @@
 
 #include <array>
 #include <map>
-#include <optional>
-#include <string>
 #include <utility>
 
 #include <dirent.h>

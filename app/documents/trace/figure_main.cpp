@@ -1,6 +1,6 @@
 // touchline-figure [X Y]: runs the networks before it on a photograph, for all of it or for the
 // thing at a place.
-#include "app/documents/decode/answer_parts.h"
+#include "app/documents/decode/page.h"
 #include "app/documents/decode/worker_program.h"
 #include "app/documents/trace/finding_things.h"
 #include "app/documents/trace/page_lines.h"

@@ -2,7 +2,7 @@
 // Threads: pure functions.
 #pragma once
 
-#include "app/documents/decode/answer_parts.h"
+#include "app/documents/decode/page.h"
 #include "config/types/result.h"
 #include "vision/simplify/trace.h"
 

@@ -1,7 +1,7 @@
 #include "app/documents/trace/traced.h"
 
-#include "app/documents/decode/answer_parts.h"
 #include "app/documents/decode/one_line.h"
+#include "app/documents/decode/page.h"
 #include "config/types/fields.h"
 #include "config/types/map_bytes.h"
 

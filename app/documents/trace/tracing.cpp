@@ -2,7 +2,6 @@
 
 #include "app/documents/decode/opening.h"
 #include "app/documents/trace/page_views.h"
-#include "app/documents/trace/traced.h"
 #include "app/isolation/process/memory.h"
 #include "app/isolation/process/places.h"
 #include "app/isolation/sandbox/limits.h"

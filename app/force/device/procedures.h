@@ -10,7 +10,6 @@
 #include "haptics/servo/real_time.h"
 
 #include <functional>
-#include <optional>
 #include <string>
 
 namespace touchline {

@@ -9,8 +9,6 @@
 #include <cstring>
 #include <exception>
 #include <new>
-#include <string>
-#include <utility>
 
 #include <sys/socket.h>
 #include <sys/uio.h>

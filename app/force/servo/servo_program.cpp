@@ -3,17 +3,12 @@
 #include "app/force/servo/black_box.h"
 #include "app/force/servo/messages.h"
 #include "config/types/steady_clock.h"
-#include "haptics/servo/servo.h"
 
 #include <array>
-#include <atomic>
 #include <csignal>
 #include <ctime>
-#include <exception>
 #include <optional>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include <fcntl.h>
 #include <malloc.h>

@@ -8,7 +8,6 @@
 
 #include <array>
 #include <memory>
-#include <optional>
 #include <thread>
 #include <utility>
 
@@ -31,10 +30,9 @@ bool read_number(const std::string& text, Number& number) {
 }
 
 bool read_plugs(const std::string& text, Plugs& plugs) {
-    std::uint32_t number = 0;
-    if (!read_number(text, number) || number > number_of({true, true, true})) return false;
-    plugs = plugs_of(number);
-    return true;
+    const auto number = number_in<std::uint32_t>(text, 0, number_of({true, true, true}));
+    plugs = plugs_of(number.value_or(0));
+    return number.has_value();
 }
 
 Result<OpenedBoard> take(const UsbBoards& boards, const UsbDevice& device) {

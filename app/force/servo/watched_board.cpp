@@ -3,7 +3,6 @@
 #include "app/force/device/procedures.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace touchline {
 namespace {

@@ -11,7 +11,6 @@
 #include "audio-cues/synth/mixer.h"
 #include "config/types/pinned.h"
 
-#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>

@@ -47,7 +47,7 @@ TEST_F(StickImportTest, ListsAndReads) {
     const auto listing = import.list(stick.root());
     ASSERT_TRUE(listing.has_value());
     ASSERT_EQ(listing->entries.size(), 2U);
-    EXPECT_TRUE(listing->rest.is_nothing());
+    EXPECT_EQ(listing->rest, StickRest{});
     const auto first = import.read(stick.root(), listing->entries[0]);
     const auto second = import.read(stick.root(), listing->entries[1]);
     ASSERT_TRUE(first.has_value() && second.has_value());
@@ -63,7 +63,7 @@ TEST_F(StickImportTest, ACamerasCardIsReadFolderByFolder) {
     const auto listing = import.list(stick.root());
     ASSERT_TRUE(listing.has_value());
     ASSERT_EQ(listing->entries.size(), 3U);
-    EXPECT_TRUE(listing->rest.is_nothing());
+    EXPECT_EQ(listing->rest, StickRest{});
     for (const StickEntry& entry : listing->entries) {
         const auto bytes = import.read(stick.root(), entry);
         ASSERT_TRUE(bytes.has_value()) << entry.folder;
@@ -140,6 +140,11 @@ TEST_F(StickImportTest, AProgramThatIsMissingOrLiesIsOneRefusal) {
               StickRefusal::unreadable);
 }
 
+TEST_F(StickImportTest, OneThatTheKernelKillsRanOutOfMemory) {
+    EXPECT_EQ(StickImport(TOUCHLINE_LYING_IMPORT).read(stick.root(), picture("", "killed")).error(),
+              StickRefusal::out_of_memory);
+}
+
 TEST_F(StickImportTest, OneThatNeverEndsIsEnded) {
     StickImport hanging(TOUCHLINE_LYING_IMPORT, {0.05, 0.05});
     EXPECT_EQ(hanging.read(stick.root(), picture("", "hang")).error(), StickRefusal::out_of_time);
@@ -159,7 +164,7 @@ TEST_F(StickImportTest, MemoryDoesNotGrowWithTheStick) {
         EXPECT_EQ(listing->rest.not_listed, 100'000U - most_listed);
         EXPECT_EQ(listing->entries[9999].name, "f9999.png");
     }
-    EXPECT_FALSE(listing->rest.is_nothing());
+    EXPECT_NE(listing->rest, StickRest{});
     rusage use{};
     ASSERT_EQ(::getrusage(RUSAGE_CHILDREN, &use), 0);
     EXPECT_LT(use.ru_maxrss, 50 * 1024);  // kB
