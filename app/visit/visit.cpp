@@ -162,8 +162,10 @@ void take(VisitWork& work, const GuidanceEnded& ended) {
         shake(work, HandlePattern::chosen);
     }
     const std::string told = told_end(work, ended.why, kind);
-    // Whoever has just chosen a part knows where in the list it is.
-    if (ended.why == GuidanceEnd::arrived && kind == GuideKind::to_place) return say(work, told);
+    // Whoever has just chosen a part knows where in the list it is. A near one is reached while it
+    // is still announced.
+    if (ended.why == GuidanceEnd::arrived && kind == GuideKind::to_place)
+        return say_next(work, told);
     say_item_next(work, told);
 }
 
@@ -174,7 +176,7 @@ void take(VisitWork& work, const TroubleBegan& began) {
     if (!is_visit_on(visit_of(work))) return;
     std::string told;
     if (began.kind == TroubleKind::device && stop_leading(work))
-        told = words(work, "The handle has stopped guiding you.");
+        told = words(work, "Guiding has stopped.");
     add_sentence(told, told_trouble(began.kind, began.sentence, language_of(work)));
     show_trouble(work, told, began.kind);
 }

@@ -28,6 +28,17 @@ std::string value_of(const Status& status, const std::string& name) {
     return line == status.lines.end() ? "" : line->value;
 }
 
+TEST(Status, AHandOfWhichNothingIsKnownHasNoLine) {
+    LiveFacts facts = shown();
+    const auto has_hand = [](const Status& status) {
+        return std::ranges::any_of(status.lines,
+                                   [](const StatusLine& line) { return line.name == "Hand"; });
+    };
+    EXPECT_TRUE(has_hand(describe(facts, {}, {}, Language())));
+    facts.hand_words.clear();
+    EXPECT_FALSE(has_hand(describe(facts, {}, {}, Language())));
+}
+
 TEST(Status, SaysContactLevelForceAndMode) {
     HandState hand;
     hand.state = ContactState::vertex;

@@ -66,6 +66,19 @@ TEST(Visit, WhoWasLedRoundThePracticeShapeHearsWhatCanBeDoneNext) {
               "Guide me round the outline, 1 of 4");
 }
 
+TEST(Visit, APartThatIsNearIsReachedWithoutCuttingItsAnnouncement) {
+    FakeHouse house;
+    to_picture(house);
+    house.lead_s = 0.1;
+    ASSERT_TRUE(house.choose("Parts"));
+    house.press(KeyRole::select);
+    house.wait(2.5);
+    EXPECT_EQ(house.transcript.back().text, "You are there.");
+    EXPECT_EQ(house.transcript.back().priority, SpeechPriority::hint) << "after what is being said";
+    house.press(KeyRole::repeat);
+    EXPECT_EQ(house.last_said(), "You are there.");
+}
+
 /// Passes an hour in which the handle shakes, is led and rests on lines, and no hand moves it.
 /// Returns how often the visit believed that somebody answered.
 int answers_of_nobody(FakeHouse& house) {

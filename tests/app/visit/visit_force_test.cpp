@@ -28,8 +28,8 @@ TEST(Visit, ForceThatIsLostSaysThatGuidingStoppedAndNamesTheStaffOnce) {
     house.wait(3.0);
     house.apply(TroubleBegan{TroubleKind::device, spoken_fault(Fault::device_lost, Language())});
     EXPECT_EQ(house.last_said(),
-              "The handle. The handle has stopped guiding you. The force is off. The handle does "
-              "not answer. Press Down to call staff, or Select to go on without force.");
+              "The handle. Guiding has stopped. The force is off. The handle does not answer. "
+              "Press Down to call staff, or Select to go on without force.");
 }
 
 /// In every language and of every fault, so that the sentence that is left out is the same text.
