@@ -4,6 +4,7 @@
 #include "app/force/device/device_words.h"
 #include "app/kiosk/loading/kiosk_stages.h"
 #include "app/kiosk/loading/stages.h"
+#include "app/visit/keys/key_wizard.h"
 #include "config/settings/settings_text.h"
 #include "tests/machines/sim/kiosk/due_jobs.h"
 #include "tests/machines/sim/kiosk/house.h"
@@ -368,14 +369,14 @@ void StagedKiosk::choose(OperatorItem item, std::size_t index) {
 }
 
 void StagedKiosk::choose_key(KeyRole role) {
-    constexpr std::array roles{KeyRole::repeat, KeyRole::back, KeyRole::help};
-    const SpokenScreen shown = screen();
-    const auto items_after = shown.items.size() - shown.focus.value_or(0);
-    const auto keys_before = std::ranges::find(roles, role) - roles.begin();
-    for (std::size_t i = 0; i < items_after + static_cast<std::size_t>(keys_before); ++i) {
+    const std::string name = role_in_words(role, kiosk_->language());
+    const auto is_said = [&] { return kiosk_->caption() == name; };
+    const double end_s = now_s_ + longest_s;
+    while (!is_said() && now_s_ < end_s) {
         press(KeyRole::down);
         hear_one_thing();
     }
+    if (!is_said()) throw std::runtime_error(fmt::format("{} does not come", name));
     press(KeyRole::select);
     listen();
 }

@@ -74,8 +74,8 @@ class StagedKiosk : private Pinned {
     /// switch and listens to one thing.
     void choose_when_it_comes(int id);
 
-    /// With two switches: moves on to the item of this key, which comes after those of the screen,
-    /// and selects it. Not for Back or Help where the last item is called Back.
+    /// With two switches: moves on until this key is said, which comes after the items of the
+    /// screen, and selects it. Not for Back where the last item is called so.
     void choose_key(KeyRole role);
 
     /// Waits until this screen of the visit is open, then calls listen().

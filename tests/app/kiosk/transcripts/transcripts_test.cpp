@@ -1,4 +1,5 @@
 // Tests that whole visits say what people have reviewed, in every language.
+#include "tests/app/kiosk/transcripts/staged_kiosk.h"
 #include "tests/app/kiosk/transcripts/visit_plans.h"
 #include "tests/machines/sim/kiosk/house.h"
 
@@ -74,6 +75,19 @@ INSTANTIATE_TEST_SUITE_P(OfVisits, Transcripts, testing::ValuesIn(visit_plans())
                              std::erase(name, '-');
                              return name;
                          });
+
+/// There Back is no item of its own, and Help comes one press sooner.
+TEST(StagedKiosk, FindsTheKeyHelpWhereTheLastItemIsBack) {
+    StagedKiosk kiosk({"en", SwitchUse::move_and_select});
+    for (int i = 0; i < 2; ++i) {
+        kiosk.press(KeyRole::select);
+        kiosk.listen();
+    }
+    kiosk.choose(VisitItem::gallery);
+    ASSERT_EQ(kiosk.screen().items.back().name, "Back");
+    kiosk.choose_key(KeyRole::help);
+    EXPECT_EQ(kiosk.screen().title, "Try the keys");
+}
 
 TranscriptLine said(double at_s, double end_s, const char* text, bool is_asked) {
     return {at_s, end_s, "de", text, false, is_asked};
