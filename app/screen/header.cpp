@@ -21,6 +21,16 @@ PixelPoint on_base_line(const HeaderLayout& layout, double x_px) {
     return {x_px, layout.title.rect.y + lower_px - base_line_px(layout.sizes.normal_px)};
 }
 
+/// What the longest place of an item takes, with the gap before it.
+double room_of_place_px(cairo_t* cr, const SpokenScreen& screen, const TextSizes& sizes,
+                        const Language& language) {
+    double widest_px = 0.0;
+    for (std::size_t item = 0; item < screen.items.size(); ++item)
+        widest_px = std::max(
+            widest_px, line_width_px(cr, {sizes.normal_px}, told_place(screen, item, language)));
+    return widest_px > 0.0 ? sizes.normal_px + widest_px : 0.0;
+}
+
 }  // namespace
 
 HeaderLayout lay_out_header(cairo_t* cr, const SpokenScreen& screen, const Rect& rect,
@@ -30,11 +40,7 @@ HeaderLayout lay_out_header(cairo_t* cr, const SpokenScreen& screen, const Rect&
     HeaderLayout layout{rect, sizes, {}, way_words(screen.way), {}};
     Rect room{rect.x + margin_px, rect.y + margin_px / 2.0, rect.width - 2.0 * margin_px,
               line_height_px(sizes.cap_px)};
-    if (!screen.items.empty())
-        room.width -=
-            sizes.normal_px + line_width_px(cr, {sizes.normal_px},
-                                            told_place(screen, screen.items.size() - 1, language));
-    room.width = std::max(room.width, 1.0);
+    room.width = std::max(room.width - room_of_place_px(cr, screen, sizes, language), 1.0);
     const double way_px = line_width_px(cr, {sizes.normal_px}, layout.way);
     const double left_px = room.x;
     if (way_px + line_width_px(cr, bold, screen.title) <= room.width) {

@@ -19,8 +19,8 @@ struct HeaderLayout {
     PixelPoint way_at;
 };
 
-/// Lays out everything except the place in the list, for which it leaves the room that the last
-/// item needs.
+/// Lays out everything except the place in the list, for which it leaves the room that the
+/// longest one needs.
 [[nodiscard]] HeaderLayout lay_out_header(cairo_t* cr, const SpokenScreen& screen, const Rect& rect,
                                           const TextSizes& sizes, const Language& language);
 
