@@ -4,7 +4,7 @@
 // Threads: one.
 #pragma once
 
-#include "app/cli/command_line.h"
+#include "app/cli/options.h"
 #include "config/types/hand_state.h"
 #include "config/types/result.h"
 #include "config/types/tactile_map.h"

@@ -3,7 +3,7 @@
 // loading.
 #pragma once
 
-#include "app/cli/command_line.h"
+#include "app/cli/options.h"
 #include "app/force/servo/servo_client.h"
 #include "config/types/result.h"
 #include "config/types/vec2.h"

@@ -1,5 +1,5 @@
 // The executable: the command line with the two commands that need more than files.
-#include "app/cli/command_line.h"
+#include "app/cli/options.h"
 #include "app/cli/tour.h"
 #include "app/isolation/process/memory.h"
 #include "app/main/kiosk_window.h"

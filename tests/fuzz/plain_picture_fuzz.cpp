@@ -1,5 +1,5 @@
 // Fuzzes our own readers of BMP and PNM: any bytes give a picture or one clear line.
-#include "app/documents/decode/formats.h"
+#include "app/documents/decode/readers.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -2,7 +2,7 @@
 // Threads: pure functions.
 #pragma once
 
-#include "app/documents/decode/formats.h"
+#include "app/documents/decode/readers.h"
 
 #include <array>
 #include <cstddef>

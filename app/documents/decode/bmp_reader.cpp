@@ -3,8 +3,8 @@
 // runs inside the sandbox. OS/2 has arrays of bitmaps, each for another screen, and icons and
 // pointers: a bitmap of colours behind one of masks, or masks alone.
 #include "app/documents/decode/bmp_header.h"
-#include "app/documents/decode/formats.h"
 #include "app/documents/decode/one_line.h"
+#include "app/documents/decode/readers.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include "app/documents/decode/drawing_surface.h"
 #include "app/documents/decode/file_format.h"
-#include "app/documents/decode/formats.h"
 #include "app/documents/decode/pdf_words.h"
+#include "app/documents/decode/readers.h"
 #include "app/documents/decode/worker_program.h"
 
 #include <algorithm>

@@ -20,7 +20,7 @@ class DrawingSurface {
 
     [[nodiscard]] cairo_t* context() const { return context_.get(); }
 
-    /// The drawing, over the background that shows it (compose of formats.h). Fails if cairo gave
+    /// The drawing, over the background that shows it (compose of readers.h). Fails if cairo gave
     /// up.
     [[nodiscard]] Result<Picture> picture() const;
 

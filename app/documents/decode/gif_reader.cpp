@@ -1,6 +1,6 @@
 // The first picture of a GIF: what is shown before the first pause. Some files put it together from
 // several frames without a pause, because each frame may have its own 256 colours.
-#include "app/documents/decode/formats.h"
+#include "app/documents/decode/readers.h"
 
 #include <algorithm>
 #include <array>

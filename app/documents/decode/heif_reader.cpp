@@ -1,7 +1,7 @@
 // HEIC (telephones) and AVIF, through libheif. It turns pictures upright itself, and decodes the
 // whole picture at once, so a large one is made smaller afterwards.
-#include "app/documents/decode/formats.h"
 #include "app/documents/decode/one_line.h"
+#include "app/documents/decode/readers.h"
 #include "app/documents/decode/worker_program.h"
 #include "app/isolation/process/descriptor.h"
 

@@ -1,4 +1,4 @@
-#include "app/documents/decode/formats.h"
+#include "app/documents/decode/readers.h"
 #include "config/types/pinned.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // One page of a PDF: its pixels, its words with their boxes, and its figures' texts.
 #include "app/documents/decode/drawing_surface.h"
-#include "app/documents/decode/formats.h"
 #include "app/documents/decode/page.h"
 #include "app/documents/decode/pdf_words.h"
+#include "app/documents/decode/readers.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 // are pure functions.
 #pragma once
 
-#include "app/documents/decode/formats.h"
 #include "app/documents/decode/picture.h"
+#include "app/documents/decode/readers.h"
 #include "config/types/pinned.h"
 
 #include <cstdint>

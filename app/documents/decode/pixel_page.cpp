@@ -1,7 +1,7 @@
 // The page of a file that holds one picture of pixels: the picture as it is shown, and what the
 // file says beside its pixels, read by libexiv2 (whose XMP reader has state: one thread at a time).
 #include "app/documents/decode/exiv2_generations.h"
-#include "app/documents/decode/formats.h"
+#include "app/documents/decode/readers.h"
 #include "app/isolation/process/descriptor.h"
 
 #include <algorithm>

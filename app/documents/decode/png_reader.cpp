@@ -1,6 +1,6 @@
 // PNG, row by row. Uses the lower of libpng's two interfaces, because the simpler one holds the
 // whole picture.
-#include "app/documents/decode/formats.h"
+#include "app/documents/decode/readers.h"
 #include "config/types/pinned.h"
 
 #include <array>

@@ -1,6 +1,6 @@
 // The six plain formats of Netpbm, read by hand because its own library ends the program at the
 // first error. Fuzzed (tests/fuzz/plain_picture_fuzz.cpp).
-#include "app/documents/decode/formats.h"
+#include "app/documents/decode/readers.h"
 
 #include <algorithm>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "app/documents/decode/formats.h"
+#include "app/documents/decode/readers.h"
 #include "app/documents/decode/worker_program.h"
 
 #include <algorithm>

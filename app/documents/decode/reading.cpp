@@ -2,8 +2,8 @@
 // over which ground, which way up (EXIF and TIFF use the same numbers for the eight ways of holding
 // a camera: TIFF 6.0, tag 274), and with pixels made square, which those of fax machines and old
 // screens are not.
-#include "app/documents/decode/formats.h"
 #include "app/documents/decode/one_line.h"
+#include "app/documents/decode/readers.h"
 
 #include <algorithm>
 #include <cmath>

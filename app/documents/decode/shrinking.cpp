@@ -1,5 +1,5 @@
 
-#include "app/documents/decode/formats.h"
+#include "app/documents/decode/readers.h"
 
 #include <algorithm>
 #include <bit>

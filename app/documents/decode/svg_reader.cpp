@@ -1,10 +1,10 @@
 // An SVG as a picture of pixels. librsvg opens no other file as long as it has no base address; it
 // has no scripts, animation or network, and it bounds its own nesting.
 #include "app/documents/decode/drawing_surface.h"
-#include "app/documents/decode/formats.h"
 #include "app/documents/decode/map_svg.h"
 #include "app/documents/decode/one_line.h"
 #include "app/documents/decode/page.h"
+#include "app/documents/decode/readers.h"
 #include "app/documents/decode/svg_nodes.h"
 #include "app/documents/decode/svg_survey.h"
 #include "config/types/map_bytes.h"

@@ -3,7 +3,7 @@
 // one thread.
 #pragma once
 
-#include "app/documents/decode/formats.h"
+#include "app/documents/decode/readers.h"
 #include "app/isolation/process/descriptor.h"
 
 #include <array>

@@ -1,7 +1,7 @@
 // TIFF. libtiff reads rows or tiles; this file interprets them, because libtiff's own pictures
 // allow only whole numbers of 1 to 8 and 16 bits. A few kinds that only libtiff knows are left to
 // it.
-#include "app/documents/decode/formats.h"
+#include "app/documents/decode/readers.h"
 #include "app/documents/decode/tiff.h"
 
 #include <algorithm>

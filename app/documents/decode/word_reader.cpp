@@ -1,6 +1,6 @@
 #include "app/documents/decode/word_reader.h"
 
-#include "app/documents/decode/formats.h"
+#include "app/documents/decode/readers.h"
 
 #include <algorithm>
 #include <cmath>

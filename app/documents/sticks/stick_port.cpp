@@ -1,7 +1,7 @@
 #include "app/documents/sticks/stick_port.h"
 
 #include "app/documents/sticks/bus_generations.h"
-#include "app/documents/sticks/stick_rules.h"
+#include "app/documents/sticks/mount_rules.h"
 #include "app/isolation/process/descriptor.h"
 
 #include <array>
@@ -190,7 +190,7 @@ class UdisksPort final : public StickPort {
     void lose_service();
 
     std::unique_ptr<Bus> bus_;  // null: no bus
-    StickRules rules_;
+    MountRules rules_;
     std::vector<StickEvent> events_;
     std::int64_t next_try_ns_ = 0;
     bool is_watching_ = false;
@@ -295,7 +295,7 @@ class UdisksPort::Bus {
     }
 
     void on_answer(const StickOrder& order, sdbus::MethodReply& reply, const sdbus::Error* error) {
-        StickRules& rules = port_.rules_;
+        MountRules& rules = port_.rules_;
         if (order.kind == OrderKind::unmount) {
             rules.on_unmounted(order.number, error == nullptr);
         } else if (std::string root; error == nullptr && is_read(reply, root)) {

@@ -1,6 +1,6 @@
 // Tests every option of trace, curve and feel through the command line, as a user types it.
-#include "app/cli/command_line.h"
 #include "app/cli/hand_csv.h"
+#include "app/cli/options.h"
 #include "app/documents/decode/files.h"
 #include "app/documents/decode/map_svg.h"
 #include "app/documents/decode/picture.h"

@@ -1,5 +1,5 @@
 // Tests touchline settings and touchline models, as a user types them.
-#include "app/cli/command_line.h"
+#include "app/cli/options.h"
 #include "app/documents/models/networks.h"
 #include "config/settings/settings_text.h"
 

@@ -1,6 +1,6 @@
 // Tests files, options and folders of any name: each command prints one line that no terminal
 // obeys.
-#include "app/cli/command_line.h"
+#include "app/cli/options.h"
 #include "app/cli/tour.h"
 
 #include <cstdlib>

@@ -1,7 +1,7 @@
 // Tests feel --replay on recordings of a servo that felt a picture of the gallery.
 
-#include "app/cli/command_line.h"
 #include "app/cli/load.h"
+#include "app/cli/options.h"
 #include "app/documents/decode/files.h"
 #include "app/documents/gallery/gallery.h"
 #include "app/force/servo/scene_order.h"

@@ -1,5 +1,5 @@
 // Tests that every command and the kiosk see the same view and the same lines of a picture.
-#include "app/cli/command_line.h"
+#include "app/cli/options.h"
 #include "app/cli/tour.h"
 #include "app/documents/decode/files.h"
 #include "app/documents/decode/map_svg.h"

@@ -202,7 +202,7 @@ TEST(ToldLines, EveryRowIsOfALineInASource) {
 TEST(ToldLines, EverySentenceOfThoseSourcesIsInTheCatalogue) {
     int count = 0;
     for (const char* name :
-         {"vision/prepare/document.cpp", "app/documents/sticks/stick_rules.cpp"}) {
+         {"vision/prepare/document.cpp", "app/documents/sticks/mount_rules.cpp"}) {
         for (const std::string& literal : literals_in(text_of(source / name))) {
             if (!literal.ends_with('.') || literal.find(' ') == std::string::npos) continue;
             if (literal.starts_with("No sheet is found")) continue;  // then it is a photograph

@@ -1,6 +1,6 @@
 // Tests each kind of text that programs and cameras write by themselves, and similar text that
 // people write.
-#include "app/documents/decode/formats.h"
+#include "app/documents/decode/readers.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

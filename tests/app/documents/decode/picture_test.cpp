@@ -2,7 +2,7 @@
 #include "app/documents/decode/picture.h"
 
 #include "app/documents/decode/files.h"
-#include "app/documents/decode/formats.h"
+#include "app/documents/decode/readers.h"
 #include "tests/app/documents/decode/decoding_here.h"
 #include "tests/app/documents/decode/encoders.h"
 

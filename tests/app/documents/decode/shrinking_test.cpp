@@ -1,7 +1,7 @@
 // Tests pictures with more pixels than are kept: each kept pixel is the mean of those it replaces,
 // whatever order they come in.
 
-#include "app/documents/decode/formats.h"
+#include "app/documents/decode/readers.h"
 #include "tests/app/documents/decode/decoding_here.h"
 #include "tests/app/documents/decode/encoders.h"
 

@@ -1,9 +1,9 @@
 // Tests that text written for people who cannot see a picture survives opening it.
 #include "app/documents/decode/file_format.h"
 #include "app/documents/decode/files.h"
-#include "app/documents/decode/formats.h"
 #include "app/documents/decode/one_line.h"
 #include "app/documents/decode/opening.h"
+#include "app/documents/decode/readers.h"
 #include "app/documents/sticks/listing.h"
 #include "app/documents/trace/tracing.h"
 #include "config/types/utf8.h"

@@ -1,5 +1,5 @@
 // Tests which of tesseract's words are believed.
-#include "app/documents/decode/formats.h"
+#include "app/documents/decode/readers.h"
 #include "app/documents/decode/word_reader.h"
 
 #include <random>

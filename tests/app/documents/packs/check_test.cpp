@@ -1,5 +1,5 @@
 // Tests what teachers are told, as touchline pack says it.
-#include "app/cli/command_line.h"
+#include "app/cli/options.h"
 #include "app/documents/decode/files.h"
 #include "app/documents/packs/pack.h"
 #include "app/documents/packs/unpacking.h"

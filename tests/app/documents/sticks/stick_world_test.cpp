@@ -1,6 +1,6 @@
 // Tests the rules of sticks against a world that does anything in any order: sticks come and go,
 // udisks2 answers late, wrongly or not at all, and others mount and unmount.
-#include "app/documents/sticks/stick_rules.h"
+#include "app/documents/sticks/mount_rules.h"
 
 #include <algorithm>
 #include <deque>
@@ -236,7 +236,7 @@ class World {
         }
     }
 
-    StickRules rules_;
+    MountRules rules_;
     std::vector<Partition> partitions_;
     std::deque<std::function<void()>> queue_;  // from udisks2 to us, in order
     std::vector<StickOrder> orders_;           // not answered yet

@@ -1,5 +1,5 @@
 // The kiosk as `touchline --window` runs it, with the board of soak_board.h instead of one on USB.
-#include "app/cli/command_line.h"
+#include "app/cli/options.h"
 #include "app/force/servo/servo_process.h"
 #include "app/isolation/process/memory.h"
 #include "app/isolation/process/places.h"

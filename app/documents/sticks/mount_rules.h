@@ -49,7 +49,7 @@ struct StickStep {
 /// Each call reports one event. There is one order at a time, and the next is decided only from
 /// volumes reported after its answer. What is already mounted in the first report belongs to the
 /// operator, not to a visitor, and is left alone.
-class StickRules {
+class MountRules {
   public:
     /// For sticks mounted from now on; FAT and exFAT at first.
     void allow(FileSystems allowed) { allowed_ = allowed; }

@@ -1,4 +1,4 @@
-#include "app/documents/sticks/stick_rules.h"
+#include "app/documents/sticks/mount_rules.h"
 
 #include <gtest/gtest.h>
 
@@ -62,7 +62,7 @@ class StickRulesTest : public testing::Test {
         ASSERT_EQ(rules.on_volumes({mounted(first, "/m")}).events, Events{ready("/m")});
     }
 
-    StickRules rules;
+    MountRules rules;
     const Volume first = stick("sdb1", "one", 10);
     const Volume second = stick("sdc1", "two", 20);
 };
@@ -85,7 +85,7 @@ TEST_F(StickRulesTest, AStickIsMountedAndOffered) {
 TEST_F(StickRulesTest, EachFileSystemHasItsOptions) {
     const std::string plain = "ro,nosuid,nodev,noexec,nosymfollow";
     const auto options = [](const std::string& file_system, FileSystems allowed) {
-        StickRules fresh;
+        MountRules fresh;
         fresh.allow(allowed);
         (void)fresh.on_volumes({});
         const auto step = fresh.on_volumes({stick("sdb1", "one", 10, file_system)});
@@ -106,7 +106,7 @@ TEST_F(StickRulesTest, EachFileSystemHasItsOptions) {
 /// A file system that the operator has not allowed is not read, whoever mounted it.
 TEST_F(StickRulesTest, WhatIsNotAllowedIsRefusedWithWhatToDo) {
     for (const char* kind : {"ext4", "ntfs"}) {
-        StickRules fresh;
+        MountRules fresh;
         (void)fresh.on_volumes({});
         const auto step = fresh.on_volumes({mounted(stick("sdb1", "one", 10, kind), "/m")});
         EXPECT_TRUE(step.orders.empty());
@@ -133,7 +133,7 @@ TEST_F(StickRulesTest, WhatIsNoVisitorsIsNeitherMountedNorTold) {
 }
 
 TEST_F(StickRulesTest, WhatWasMountedBeforeIsTheOperators) {
-    StickRules fresh;
+    MountRules fresh;
     const auto step = fresh.on_volumes({mounted(first, "/data")});
     EXPECT_TRUE(step.orders.empty());
     EXPECT_TRUE(step.events.empty());
@@ -244,7 +244,7 @@ TEST_F(StickRulesTest, NoMoreThanFourPartitionsAreTried) {
 
 TEST_F(StickRulesTest, WhatCannotBeReadIsOneSentence) {
     const auto sentence = [](Volume volume) {
-        StickRules fresh;
+        MountRules fresh;
         (void)fresh.on_volumes({});
         const auto step = fresh.on_volumes({std::move(volume)});
         EXPECT_TRUE(step.orders.empty());

@@ -1,4 +1,4 @@
-#include "app/documents/sticks/stick_rules.h"
+#include "app/documents/sticks/mount_rules.h"
 
 #include <algorithm>
 #include <tuple>
@@ -37,7 +37,7 @@ bool is_better(const Volume& a, const Volume& b) {
 
 }  // namespace
 
-StickStep StickRules::on_volumes(std::vector<Volume> all) {
+StickStep MountRules::on_volumes(std::vector<Volume> all) {
     all_ = std::move(all);
     if (coming_ && (find(coming_->first) == nullptr || is_mounted(*coming_))) coming_.reset();
     if (leaving_ && !is_mounted(*leaving_)) leaving_.reset();
@@ -47,7 +47,7 @@ StickStep StickRules::on_volumes(std::vector<Volume> all) {
     return decide();
 }
 
-StickStep StickRules::on_vanished(const std::string& object) {
+StickStep MountRules::on_vanished(const std::string& object) {
     std::erase_if(all_, [&object](const Volume& volume) { return volume.object == object; });
     if (order_ && order_->object == object) order_.reset();
     if (coming_ && coming_->first == object) coming_.reset();
@@ -55,7 +55,7 @@ StickStep StickRules::on_vanished(const std::string& object) {
     return decide();
 }
 
-void StickRules::on_mounted(std::uint64_t number, const std::string& object,
+void MountRules::on_mounted(std::uint64_t number, const std::string& object,
                             const std::string& root) {
     ours_.emplace(object, root);
     if (!order_ || order_->number != number) return;  // the volumes will show what happened to it
@@ -64,14 +64,14 @@ void StickRules::on_mounted(std::uint64_t number, const std::string& object,
     apply_answers();
 }
 
-void StickRules::on_mount_failed(std::uint64_t number, bool is_mounted_already) {
+void MountRules::on_mount_failed(std::uint64_t number, bool is_mounted_already) {
     if (!order_ || order_->number != number) return;
     const Volume* const volume = find(order_->object);
     if (!is_mounted_already && volume != nullptr) spent_.emplace(volume->object, volume->drive);
     order_.reset();
 }
 
-void StickRules::on_unmounted(std::uint64_t number, bool is_done) {
+void MountRules::on_unmounted(std::uint64_t number, bool is_done) {
     if (!order_ || order_->number != number) return;
     std::erase_if(ours_, [this, is_done](const Mount& mount) {
         if (mount.first != order_->object) return false;
@@ -82,14 +82,14 @@ void StickRules::on_unmounted(std::uint64_t number, bool is_done) {
     apply_answers();
 }
 
-StickStep StickRules::on_session_ended() {
+StickStep MountRules::on_session_ended() {
     offer_.reset();  // nobody is there to be told
     for (const Volume& volume : all_) spent_.emplace(volume.object, volume.drive);
     for (const Volume& volume : all_) told_.insert(volume.drive);
     return decide();
 }
 
-void StickRules::on_service_lost() {
+void MountRules::on_service_lost() {
     if (order_ && order_->kind == OrderKind::mount) unknown_ = order_->object;
     order_.reset();
     coming_.reset();
@@ -97,17 +97,17 @@ void StickRules::on_service_lost() {
     is_first_ = true;
 }
 
-const Volume* StickRules::find(const std::string& object) const {
+const Volume* MountRules::find(const std::string& object) const {
     const auto found = std::ranges::find(all_, object, &Volume::object);
     return found == all_.end() ? nullptr : &*found;
 }
 
-bool StickRules::is_mounted(const Mount& mount) const {
+bool MountRules::is_mounted(const Mount& mount) const {
     const Volume* const volume = find(mount.first);
     return volume != nullptr && std::ranges::count(volume->roots, mount.second) > 0;
 }
 
-std::string StickRules::sentence_for(const Volume& volume) const {
+std::string MountRules::sentence_for(const Volume& volume) const {
     if (volume.usage == "crypto")
         return "The USB stick is locked with a password. Bring one without.";
     if (volume.usage == "filesystem" && !options_for(volume))
@@ -115,7 +115,7 @@ std::string StickRules::sentence_for(const Volume& volume) const {
     return "The stick cannot be read; put it in again or try another one";
 }
 
-bool StickRules::can_be_read(const Volume& volume) const {
+bool MountRules::can_be_read(const Volume& volume) const {
     const auto tries = std::ranges::count_if(
         spent_, [&volume](const auto& spent) { return spent.second == volume.drive; });
     return is_promising(volume) && volume.usage == "filesystem" &&
@@ -123,7 +123,7 @@ bool StickRules::can_be_read(const Volume& volume) const {
            static_cast<std::size_t>(tries) < most_tries;
 }
 
-const Volume* StickRules::best() const {
+const Volume* MountRules::best() const {
     const Volume* best = nullptr;
     for (const Volume& volume : all_)
         if (can_be_read(volume) && (best == nullptr || is_better(volume, *best))) best = &volume;
@@ -131,7 +131,7 @@ const Volume* StickRules::best() const {
 }
 
 /// An answer is true, though the volumes may show it only later.
-void StickRules::apply_answers() {
+void MountRules::apply_answers() {
     for (Volume& volume : all_) {
         if (coming_ && coming_->first == volume.object && !is_mounted(*coming_))
             volume.roots.push_back(coming_->second);
@@ -140,7 +140,7 @@ void StickRules::apply_answers() {
     }
 }
 
-void StickRules::begin_anew() {
+void MountRules::begin_anew() {
     for (const Volume& volume : all_) {
         if (volume.roots.empty()) continue;
         const Mount mount{volume.object, volume.roots.front()};
@@ -152,7 +152,7 @@ void StickRules::begin_anew() {
     unknown_.reset();
 }
 
-void StickRules::forget_absent() {
+void MountRules::forget_absent() {
     std::erase_if(spent_, [this](const auto& spent) {
         const Volume* const volume = find(spent.first);
         return volume == nullptr || volume->drive != spent.second;
@@ -164,7 +164,7 @@ void StickRules::forget_absent() {
     });
 }
 
-StickStep StickRules::decide() {
+StickStep MountRules::decide() {
     StickStep step;
     check_offer(step);
     const Volume* const wanted = best();
@@ -187,7 +187,7 @@ StickStep StickRules::decide() {
     return step;
 }
 
-void StickRules::check_offer(StickStep& step) {
+void MountRules::check_offer(StickStep& step) {
     if (!offer_) return;
     const Volume* const volume = find(offer_->object);
     const bool is_there = volume != nullptr && volume->drive == offer_->drive;
@@ -200,19 +200,19 @@ void StickRules::check_offer(StickStep& step) {
     withdraw(step);
 }
 
-void StickRules::withdraw(StickStep& step) {
+void MountRules::withdraw(StickStep& step) {
     step.events.push_back({StickNews::gone, offer_->root, ""});
     offer_.reset();
 }
 
-void StickRules::give(StickOrder order, StickStep& step) {
+void MountRules::give(StickOrder order, StickStep& step) {
     order.number = ++last_number_;
     order_ = order;
     step.orders.push_back(std::move(order));
 }
 
 /// A mount of ours that nobody needs.
-const StickRules::Mount* StickRules::superfluous(const Volume* wanted) const {
+const MountRules::Mount* MountRules::superfluous(const Volume* wanted) const {
     const auto found = std::ranges::find_if(ours_, [this, wanted](const Mount& mount) {
         const bool is_offered = offer_ && offer_->object == mount.first;
         const bool is_wanted = !offer_ && wanted != nullptr && wanted->object == mount.first;
@@ -221,7 +221,7 @@ const StickRules::Mount* StickRules::superfluous(const Volume* wanted) const {
     return found == ours_.end() ? nullptr : &*found;
 }
 
-void StickRules::mount_or_offer(const Volume& volume, StickStep& step) {
+void MountRules::mount_or_offer(const Volume& volume, StickStep& step) {
     if (volume.roots.empty()) {
         give({OrderKind::mount, 0, volume.object, volume.file_system,
               options_for(volume).value_or("")},
@@ -233,7 +233,7 @@ void StickRules::mount_or_offer(const Volume& volume, StickStep& step) {
 }
 
 /// Once per stick, when none of its volumes is left to try.
-void StickRules::refuse_what_cannot_be_read(StickStep& step) {
+void MountRules::refuse_what_cannot_be_read(StickStep& step) {
     const auto tell = [this, &step](const Volume& volume) {
         if (told_.insert(volume.drive).second)
             step.events.push_back({StickNews::refused, "", sentence_for(volume)});
