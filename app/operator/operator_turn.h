@@ -85,7 +85,7 @@ void turn_value(OperatorTurn& turn, const ItemMeaning& meaning, bool is_up);
 /// Releases and keeps a held setting. False: another screen asks something first.
 [[nodiscard]] bool release_value(OperatorTurn& turn);
 
-/// operator_pin.cpp: the three screens of the PIN.
+/// pin_screens.cpp: the three screens of the PIN.
 void press_pin_key(OperatorTurn& turn, KeyRole role);
 
 void judge_pin(OperatorTurn& turn, const PinChecked& checked);

@@ -44,26 +44,63 @@ struct Palette {
 
 inline constexpr std::size_t palette_count = 4;
 
-inline constexpr Palette white_on_black{{0.0, 0.0, 0.0},    {1.0, 1.0, 1.0},    {1.0, 0.85, 0.30},
-                                        {1.0, 0.72, 0.62},  {0.55, 0.55, 0.55}, {1.0, 0.83, 0.0},
-                                        {1.0, 0.83, 0.0},   {0.36, 0.78, 1.0},  {1.0, 1.0, 1.0},
-                                        {0.18, 0.95, 0.78}, {1.0, 0.50, 0.95}};
+inline constexpr Palette white_on_black{
+    .background = {0.0, 0.0, 0.0},
+    .text = {1.0, 1.0, 1.0},
+    .name = {1.0, 0.85, 0.30},
+    .alert = {1.0, 0.72, 0.62},
+    .frame = {0.55, 0.55, 0.55},
+    .focus = {1.0, 0.83, 0.0},
+    .outline = {1.0, 0.83, 0.0},
+    .box = {0.36, 0.78, 1.0},
+    .handle = {1.0, 1.0, 1.0},
+    .proxy = {0.18, 0.95, 0.78},
+    .force = {1.0, 0.50, 0.95},
+};
 
-inline constexpr Palette black_on_white{{1.0, 1.0, 1.0},    {0.0, 0.0, 0.0},    {0.0, 0.16, 0.42},
-                                        {0.45, 0.0, 0.0},   {0.35, 0.35, 0.35}, {0.0, 0.0, 0.0},
-                                        {0.10, 0.10, 0.50}, {0.0, 0.25, 0.35},  {0.0, 0.0, 0.0},
-                                        {0.45, 0.0, 0.0},   {0.35, 0.0, 0.35}};
+inline constexpr Palette black_on_white{
+    .background = {1.0, 1.0, 1.0},
+    .text = {0.0, 0.0, 0.0},
+    .name = {0.0, 0.16, 0.42},
+    .alert = {0.45, 0.0, 0.0},
+    .frame = {0.35, 0.35, 0.35},
+    .focus = {0.0, 0.0, 0.0},
+    .outline = {0.10, 0.10, 0.50},
+    .box = {0.0, 0.25, 0.35},
+    .handle = {0.0, 0.0, 0.0},
+    .proxy = {0.45, 0.0, 0.0},
+    .force = {0.35, 0.0, 0.35},
+};
 
-inline constexpr Palette yellow_on_black{{0.0, 0.0, 0.0},    {1.0, 1.0, 0.0},   {1.0, 1.0, 0.0},
-                                         {1.0, 0.80, 0.30},  {0.60, 0.60, 0.0}, {1.0, 1.0, 0.0},
-                                         {1.0, 1.0, 0.0},    {0.36, 0.78, 1.0}, {1.0, 1.0, 1.0},
-                                         {0.18, 0.95, 0.78}, {1.0, 0.50, 0.95}};
+inline constexpr Palette yellow_on_black{
+    .background = {0.0, 0.0, 0.0},
+    .text = {1.0, 1.0, 0.0},
+    .name = {1.0, 1.0, 0.0},
+    .alert = {1.0, 0.80, 0.30},
+    .frame = {0.60, 0.60, 0.0},
+    .focus = {1.0, 1.0, 0.0},
+    .outline = {1.0, 1.0, 0.0},
+    .box = {0.36, 0.78, 1.0},
+    .handle = {1.0, 1.0, 1.0},
+    .proxy = {0.18, 0.95, 0.78},
+    .force = {1.0, 0.50, 0.95},
+};
 
 /// Neither background nor letters use the screen's full range, for eyes that light hurts.
-inline constexpr Palette low_glare_grey{{0.13, 0.13, 0.13}, {0.82, 0.82, 0.80}, {0.82, 0.78, 0.62},
-                                        {0.90, 0.74, 0.66}, {0.58, 0.58, 0.58}, {0.82, 0.82, 0.80},
-                                        {0.88, 0.80, 0.45}, {0.55, 0.80, 0.92}, {0.90, 0.90, 0.88},
-                                        {0.50, 0.90, 0.78}, {0.95, 0.72, 0.92}, 0.25};
+inline constexpr Palette low_glare_grey{
+    .background = {0.13, 0.13, 0.13},
+    .text = {0.82, 0.82, 0.80},
+    .name = {0.82, 0.78, 0.62},
+    .alert = {0.90, 0.74, 0.66},
+    .frame = {0.58, 0.58, 0.58},
+    .focus = {0.82, 0.82, 0.80},
+    .outline = {0.88, 0.80, 0.45},
+    .box = {0.55, 0.80, 0.92},
+    .handle = {0.90, 0.90, 0.88},
+    .proxy = {0.50, 0.90, 0.78},
+    .force = {0.95, 0.72, 0.92},
+    .picture_alpha = 0.25,
+};
 
 [[nodiscard]] constexpr const Palette& palette_of(PaletteName name) {
     switch (name) {
