@@ -148,7 +148,7 @@ void Kiosk::follow_rules() {
     rules_.sound.language = place_of(settings_.first_language, languages_);
     rules_.look.text_size = static_cast<std::size_t>(settings_.text_size);
     rules_.look.palette = static_cast<std::size_t>(settings_.palette);
-    rules_.quiet_s = settings_.inactivity_s;
+    rules_.inactivity_s = settings_.inactivity_s;
     rules_.answer_s = settings_.answer_s;
     rules_.offers_staff = settings_.offers_staff;
     rules_.notice = settings_.notice;

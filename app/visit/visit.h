@@ -128,8 +128,8 @@ struct GalleryTitle {
 
 /// The site's rules beside Settings. They may change between visits.
 struct VisitRules {
-    double quiet_s = 90.0;   // 30 ... 1800; then the kiosk asks the question
-    double answer_s = 30.0;  // 30 or more; then the visit ends
+    double inactivity_s = 90.0;  // 30 ... 1800; then the kiosk asks the question
+    double answer_s = 30.0;      // 30 or more; then the visit ends
     /// What every visit begins with. The volume is a step of the current output.
     SoundWanted sound = {.language = 0, .volume = 3};
     LookWanted look;

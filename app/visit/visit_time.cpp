@@ -63,8 +63,8 @@ void mind_presence(VisitWork& work) {
     }
     if (visitor.pulled_s && now_s - *visitor.pulled_s >= private_s) return ask(work);
     if (is_busy(work)) visitor.active_s = now_s;
-    const double quiet_s = std::clamp(work.world.rules.quiet_s, 30.0, 1800.0);
-    if (now_s - visitor.active_s >= quiet_s) ask(work);
+    const double inactivity_s = std::clamp(work.world.rules.inactivity_s, 30.0, 1800.0);
+    if (now_s - visitor.active_s >= inactivity_s) ask(work);
 }
 
 void tell_progress(VisitWork& work) {

@@ -92,10 +92,10 @@ TEST(Visit, TI1_NoAnswerEndsTheVisit) {
 }
 
 TEST(Visit, TI1_TimesAreTheOperatorsWithinBounds) {
-    for (const auto& [quiet_s, expected_s] :
+    for (const auto& [inactivity_s, expected_s] :
          {std::pair{45.0, 45.0}, std::pair{1.0, 30.0}, std::pair{1e9, 1800.0}}) {
         VisitRules rules;
-        rules.quiet_s = quiet_s;
+        rules.inactivity_s = inactivity_s;
         rules.answer_s = 1.0;
         FakeHouse house(rules);
         house.press(KeyRole::select);
