@@ -16,7 +16,8 @@ TEST(Header, LeavesRoomForThePlaceOfEveryItem) {
     const Language& language = every_language().front();
     SpokenScreen screen;
     screen.title = "A very long name of a list that the band has hardly any room for at all";
-    screen.items = {{"boat", "", "", "picture 137 of 205"}, {"Back", "", "", std::string()}};
+    screen.items = {{1, ItemRole::choice, "boat", "", "", "picture 137 of 205"},
+                    {2, ItemRole::choice, "Back", "", "", std::string()}};
     const TextSizes sizes = text_sizes(TextSize::normal, usual_cap_px, 1280, 720);
     const Rect band{0.0, 0.0, 1280.0, 60.0};
     const TurnedText title = lay_out_header(probe.context(), screen, band, sizes, language).title;
