@@ -13,17 +13,18 @@ std::string shown_pin(const PinEntry& pin) {
 }
 
 /// Speaks only if nobody else hears it; else gives one click (accessibility, EN 301 549 5.1.3.8).
-void tell(OperatorTurn& turn, const std::string& text) {
+void tell_digit(OperatorTurn& turn, int digit) {
     if (turn.world.kiosk.is_private)
-        turn.say(text);
+        turn.say(std::to_string(digit));
     else
         turn.order(Click{});
     turn.order(Show{shown_pin(turn.state().pin)});
 }
 
-std::string count_in_words(const OperatorTurn& turn, std::size_t count) {
-    return turn.world.language.counted("operator", "{0} digit", "{0} digits",
-                                       static_cast<int>(count));
+void tell_count(OperatorTurn& turn) {
+    turn.say(turn.world.language.counted("operator", "{0} digit", "{0} digits",
+                                         static_cast<int>(turn.state().pin.taken.size())));
+    turn.order(Show{shown_pin(turn.state().pin)});
 }
 
 void give_pin(OperatorTurn& turn) {
@@ -72,7 +73,7 @@ void take_back(OperatorTurn& turn) {
     }
     if (!state.pin.digit) state.pin.taken.clear();
     state.pin.digit.reset();
-    tell(turn, count_in_words(turn, state.pin.taken.size()));
+    tell_count(turn);
 }
 
 bool is_locked(OperatorTurn& turn) {
@@ -95,10 +96,10 @@ void press_pin_key(OperatorTurn& turn, KeyRole role) {
     if (role == KeyRole::select) {
         if (!state.pin.digit) return finish_pin(turn);
         state.pin = with_digit_taken(state.pin);
-        return tell(turn, count_in_words(turn, state.pin.taken.size()));
+        return tell_count(turn);
     }
     state.pin = turned(state.pin, role == KeyRole::up);
-    tell(turn, std::to_string(*state.pin.digit));
+    tell_digit(turn, *state.pin.digit);
 }
 
 void judge_pin(OperatorTurn& turn, const PinChecked& checked) {

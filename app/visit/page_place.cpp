@@ -22,7 +22,7 @@ std::string told_thing(const PagePlace& place, const Language& language) {
     if (place.view >= place.view_count) return language.text("page", "The whole photograph");
     if (place.view_count == 2) {
         return language.text("page", place.is_face ? "A face in the photograph"
-                                                   : "The main thing of the photograph");
+                                                   : "Only the main thing of the photograph");
     }
     if (place.is_face) {
         return language.text("page", "Thing {0} of {1} in the photograph, a face",

@@ -60,7 +60,7 @@ constexpr auto rows_of_files = std::to_array<LineRow>({
     {"is an archive of other files",
      "This file holds others, packed together. Unpack them on your computer first."},
     {"is no picture that is known here",
-     "This file is no picture that can be felt. Bring a PNG, JPEG or PDF."},
+     "This file is not a picture that can be felt. Use a PNG, JPEG or PDF file."},
     {"nothing is painted", "Nothing is drawn in this picture. Choose another one."},
     {"it has no page", "The PDF has no page. Choose another file."},
     {"is cut short or damaged", damaged},

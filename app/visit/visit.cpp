@@ -50,7 +50,7 @@ void take(VisitWork& work, const StickCame& came) {
         return say_item_next(work, screen_of(work).text);  // then it is being read
     }
     cue(work, ScreenEvent::news);
-    say(work, words(work, "A USB stick is plugged in. You will find it in the list."),
+    say(work, words(work, "A USB stick is plugged in. You will find it under What to feel."),
         SpeechPriority::hint);
 }
 
@@ -68,7 +68,7 @@ void take(VisitWork& work, const StickGone& gone) {
     if (open_screen(work) != VisitScreen::stick) return say(work, told, SpeechPriority::hint);
     if (visitor.has_stick) return say_return(work, told);  // the pictures given at the start
     add_sentence(told, screen_of(work).title);
-    add_sentence(told, words(work, "Put one into the USB slot; nothing is written to it."));
+    add_sentence(told, words(work, "Put a USB stick into the slot; nothing is written to it."));
     say_item(work, told);
 }
 
@@ -128,7 +128,7 @@ void take(VisitWork& work, const CameraChanged& change) {
 
 std::string told_arrival(const VisitWork& work, GuideKind kind) {
     if (kind == GuideKind::outline) {
-        const std::string told = words(work, "You have gone all the way round.");
+        const std::string told = words(work, "That was the whole outline.");
         if (open_screen(work) != VisitScreen::practice) return told;
         return told + ' ' + words(work, "Now feel it alone, choose another shape, or go on.");
     }

@@ -259,9 +259,10 @@ struct SaidLately {
 
 /// What the last screen tells of the visit.
 struct Farewell {
-    int felt_count = 0;        // pictures
-    bool has_stick = false;    // to take along
-    bool has_picture = false;  // on the camera's tray
+    int felt_count = 0;          // pictures
+    bool has_stick = false;      // to take along
+    bool has_picture = false;    // on the camera's tray
+    bool is_unanswered = false;  // nobody said that they were there
 };
 
 /// The state of one visitor; every visit begins with a new one.

@@ -130,8 +130,8 @@ struct RoleRow {
 constexpr std::array<RoleRow, key_role_count> roles{{
     {"Up", "Goes to the item before. Hold it to jump.", move<false>, "Goes to the item before."},
     {"Down", "Goes to the next item. Hold it to jump.", move<true>, "Goes to the next item."},
-    {"Back", "Leaves this screen. Press it again to leave.", go_back,
-     "Leaves this screen. Choose it again to leave."},
+    {"Back", "Goes one screen back. Press it again to leave the help.", go_back,
+     "Goes one screen back. Choose it again to leave the help."},
     {"Repeat", "Repeats the last words. Press it twice for the whole screen.", repeat,
      "Repeats the last words. Choose it twice for the whole screen."},
     {"Select", "Chooses the item.", select},

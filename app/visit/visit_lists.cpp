@@ -207,7 +207,7 @@ void write_stick(VisitSheet& sheet) {
     if (shows_part(sheet)) return write_name_of_part(sheet, PictureSource::stick);
     if (!visitor.has_stick) {
         sheet.sentence("There is no USB stick.");
-        return sheet.sentence("Put one into the USB slot; nothing is written to it.");
+        return sheet.sentence("Put a USB stick into the slot; nothing is written to it.");
     }
     if (!visitor.stick_list) return sheet.sentence("Your USB stick is being read.");
     const std::size_t count = visitor.stick_list->names.size();

@@ -24,9 +24,7 @@ std::array<VisitMenu, 4> menus() {
 std::string told_value(const VisitSheet& sheet, const VisitSetting& setting) {
     const std::vector<std::string> names = setting.names(sheet.world, sheet.language);
     const std::size_t chosen = setting.value.chosen(sheet.visitor());
-    if (!setting.is_counted) return names[std::min(chosen, names.size() - 1)];
-    return sheet.language.text("screen", "{0} of {1}",
-                               {std::to_string(chosen + 1), std::to_string(names.size())});
+    return names[std::min(chosen, names.size() - 1)];
 }
 
 void add_item(VisitSheet& sheet, VisitItem item, const char* name) {

@@ -84,7 +84,6 @@ template <const auto& values>
 struct VisitSetting {
     std::vector<std::string> (*names)(const VisitWorld&, const Language&);  // one for each value
     KeptValue value;
-    bool is_counted = false;  // "4 of 7": no name tells how many there are
 };
 
 /// Turns to its other value at once.

@@ -82,7 +82,7 @@ std::string told_change(const VisitWork& work, LoadReason reason) {
                                     felt.facts.outline_count);
         case LoadReason::zoom:
             if (felt.order.zoom.factor <= 1.0) return words(work, "The whole picture.");
-            return words(work, "Now {0} times as large. You feel the {1} part.",
+            return words(work, "Now {0} times as large. You feel this part of it: {1}.",
                          {language.number(felt.order.zoom.factor, 0),
                           words_of(place_of(felt.order.zoom.centre, CueArea{}), language)});
         case LoadReason::other_view: {

@@ -161,16 +161,16 @@ void write_parts_to_enlarge(VisitSheet& sheet) {
                   "Press Select to enlarge it twice, then four times.");
 }
 
-/// The item that opens it has just said what it is of.
 void write_pages(VisitSheet& sheet) {
-    sheet.screen.title = told_page_place(sheet);
+    sheet.title(is_of_things(sheet) ? "How much of the photo" : "Pages");
+    sheet.told(sheet.language.text("visit", "Now: {0}.", {told_page_place(sheet)}));
 }
 
 // Acts.
 
 void lead_round(VisitWork& work) {
     lead(work, {GuideKind::outline, {}, work.visitor.felt->facts.outer_outline},
-         words(work, "The handle will guide you round the outline."));
+         words(work, "The handle will guide you along the outline."));
 }
 
 void bring_back(VisitWork& work) {
@@ -360,15 +360,15 @@ constexpr auto picture_screens = std::to_array<VisitScreenRow>({
 });
 
 constexpr auto picture_items = std::to_array<VisitItemRow>({
-    {S::practice, I::lead_round, "Guide me round the outline", lead_round, begin_hint, nullptr,
+    {S::practice, I::lead_round, "Guide me along the outline", lead_round, begin_hint, nullptr,
      nullptr, true},
     {S::practice, I::other_shape, "Another shape", other_shape},
     {S::practice, I::bring_back, "Bring me back to the line", bring_back, nullptr, nullptr, nullptr,
      true},
 
-    {S::picture, I::lead_round, "Guide me round the outer outline", lead_round, begin_hint,
+    {S::picture, I::lead_round, "Guide me along the largest outline", lead_round, begin_hint,
      [](const VisitSheet& sheet) { return facts_of(sheet).outline_count > 1; }, nullptr, true},
-    {S::picture, I::lead_round, "Guide me round the outline", lead_round, begin_hint,
+    {S::picture, I::lead_round, "Guide me along the outline", lead_round, begin_hint,
      [](const VisitSheet& sheet) { return facts_of(sheet).outline_count == 1; }, nullptr, true},
     {S::picture, I::parts, "Parts", S::parts, "Choose a part, and the handle guides you to it.",
      [](const VisitSheet& sheet) { return !facts_of(sheet).parts.empty(); }, told_part_count, true},
@@ -388,7 +388,7 @@ constexpr auto picture_items = std::to_array<VisitItemRow>({
     {S::picture, I::turn_right, "Turn it right", turn_right, turn_hint, holds_shape, turn_value},
     {S::picture, I::turn_back, "Turn it back", turn_back, nullptr, holds_shape},
     {S::picture, I::pages, "How much of the photo", S::pages, nullptr, is_of_things},
-    {S::picture, I::pages, "Pages", S::pages, nullptr, of_page<has_pages>, told_page_place},
+    {S::picture, I::pages, "Pages", S::pages, nullptr, of_page<has_pages>},
     {S::picture, I::thing_here, "Find the thing under my hand", find_thing_here, nullptr,
      [](const VisitSheet& sheet) {
          return is_of_things(sheet) || facts_of(sheet).place.things == ThingSearch::unclear;

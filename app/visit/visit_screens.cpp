@@ -132,7 +132,7 @@ void reset_settings(VisitWork& work) {
     work.visitor.look = first.look;
     work.visitor.feel = first.feel;
     leave(work);
-    say_return(work, words(work, "All settings are back as they were at the start."));
+    say_return(work, words(work, "Sound, speech, letters and lines are as at the start."));
 }
 
 struct VisitQuestion {
@@ -181,6 +181,7 @@ void ask_to_finish(VisitWork& work) {
 
 void write_goodbye(VisitSheet& sheet) {
     const Farewell& farewell = sheet.visitor().farewell;
+    if (farewell.is_unanswered) sheet.sentence("Nobody answered, so the visit has ended.");
     if (farewell.felt_count > 0)
         sheet.told(sheet.language.counted("visit", "You felt {0} picture.",
                                           "You felt {0} pictures.", farewell.felt_count));
@@ -228,7 +229,8 @@ int seconds_to_answer(const VisitSheet& sheet) {
 }
 
 void write_question(VisitSheet& sheet) {
-    sheet.sentence(has_keys(sheet.world) ? "Press any key to go on." : "Press a switch to go on.");
+    sheet.sentence(has_keys(sheet.world) ? "Press any key or move the handle to go on."
+                                         : "Press a switch or move the handle to go on.");
     sheet.told(sheet.language.counted("visit", "Otherwise your visit ends in {0} second.",
                                       "Otherwise your visit ends in {0} seconds.",
                                       seconds_to_answer(sheet)));
@@ -306,7 +308,7 @@ constexpr auto main_items = std::to_array<VisitItemRow>({
     {S::choose, I::gallery, "Gallery", S::gallery, "The easiest come first.",
      [](const VisitSheet& sheet) { return has_gallery(sheet.world); }},
     {S::choose, I::stick, "Your USB stick", S::stick,
-     "Nothing is written to it. You can pull it out at any time.",
+     "Nothing is written to a USB stick. It can be pulled out at any time.",
      [](const VisitSheet& sheet) { return sheet.world.rules.has_stick_port; }, stick_value},
     {S::choose, I::camera, "Camera", S::camera, "Takes a photo of what lies under it.",
      [](const VisitSheet& sheet) { return sheet.world.rules.has_camera; }, camera_value},

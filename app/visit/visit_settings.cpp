@@ -81,9 +81,9 @@ constexpr auto settings_screens = std::to_array<VisitScreenRow>({
 
 constexpr auto settings_items = std::to_array<VisitItemRow>({
     {S::settings, I::volume, "Volume",
-     VisitSetting{volume_names, kept_in<&Visitor::sound, &SoundWanted::volume>, true}},
+     VisitSetting{volume_names, kept_in<&Visitor::sound, &SoundWanted::volume>}},
     {S::settings, I::rate, "Speaking speed",
-     VisitSetting{rate_names, kept_in<&Visitor::sound, &SoundWanted::rate>, true}},
+     VisitSetting{rate_names, kept_in<&Visitor::sound, &SoundWanted::rate>}},
     {S::settings, I::language, "Language",
      VisitSetting{language_names,
                   {kept_value<&Visitor::sound, &SoundWanted::language>, choose_language}}},

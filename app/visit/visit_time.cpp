@@ -52,6 +52,7 @@ void mind_presence(VisitWork& work) {
     const double now_s = work.site.now_s;
     if (open_screen(work) == VisitScreen::question) {
         if (now_s - visitor.question_s >= answer_s(work.world.rules)) {
+            visitor.farewell.is_unanswered = true;
             return end_visit(work, VisitScreen::goodbye);
         }
         if (now_s - visitor.attention_s >= attention_every_s) {
@@ -89,9 +90,8 @@ void tell_progress(VisitWork& work) {
 }
 
 const char* way_to_language(const VisitWorld& world) {
-    if (has_keys(world)) return "{0}: Down until you hear it, then Select.";
-    return moves_by_itself(world) ? "{0}: wait until you hear it, then press."
-                                  : "{0}: move on until you hear it, then select.";
+    return has_keys(world) ? "{0}: Down until you hear it, then Select."
+                           : "{0}: move on until you hear it, then select.";
 }
 
 /// Says each language in itself, except the one in which everything was said already.
@@ -115,9 +115,9 @@ void give_hint(VisitWork& work) {
     const bool is_of_languages = open_screen(work) == VisitScreen::language;
     const SpokenScreen screen = screen_of(work);
     std::string hint;
-    // The list is the same, whatever language has the focus.
+    // The list is the same, whatever language has the focus. One that moves by itself says each.
     if (is_of_languages)
-        hint = work.world.languages.front().name();
+        hint = moves_by_itself(work.world) ? "" : work.world.languages.front().name();
     else if (screen.focus)
         hint = screen.items[*screen.focus].hint;
     visitor.is_hint_due = false;

@@ -73,7 +73,8 @@ struct ThingsFound {
 };
 
 /// The line of a delivery if no clear thing lies at the requested place.
-inline constexpr std::string_view nothing_there = "Nothing clear lies there. Choose another place.";
+inline constexpr std::string_view nothing_there =
+    "Nothing clear lies there. Move the handle elsewhere and try again.";
 
 /// The kinds of second looks that are possible.
 struct SecondLooks {

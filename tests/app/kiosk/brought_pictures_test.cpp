@@ -51,7 +51,7 @@ std::vector<BadFile> bad_files() {
             {"speck.pgm", white_picture("4 4", 16),
              "The picture is too small to be felt. Bring a larger one."},
             {"text.png", "no picture",
-             "This file is no picture that can be felt. Bring a PNG, JPEG or PDF."},
+             "This file is not a picture that can be felt. Use a PNG, JPEG or PDF file."},
             {"wrong.svg", "<svg viewBox='0 0 9 9'><path d='M0 0",
              "The file is damaged. Copy it again, or choose another one."}};
 }
@@ -174,7 +174,7 @@ TEST(ThingHere, IsSaidWhetherItWasFoundOrNotAndThePictureStays) {
 
     const int felt = world.servo().felt_count;
     ASSERT_TRUE(visitor.choose("Find the thing under my hand")) << visitor.heard();
-    ASSERT_TRUE(visitor.wait_for("The main thing of the photograph")) << visitor.heard();
+    ASSERT_TRUE(visitor.wait_for("Only the main thing of the photograph")) << visitor.heard();
     EXPECT_GT(world.servo().felt_count, felt);
     ASSERT_TRUE(visitor.choose("How much of the photo")) << visitor.heard();
     ASSERT_TRUE(visitor.choose("The whole photograph")) << visitor.heard();

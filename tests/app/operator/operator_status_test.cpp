@@ -107,7 +107,8 @@ TEST_F(StatusTest, IsWhatThePinOpensAndSaysTheWorstAtOnce) {
         "1 of 12\n"));
     rig.health.networks = {1, false};
     rig.press(R::help);
-    EXPECT_TRUE(rig.heard().starts_with("State of the kiosk. Nothing needs repair. "));
+    EXPECT_TRUE(
+        rig.heard().starts_with("State of the kiosk. Everything that a visit needs works. "));
     rig.health.handle_trouble = "The handle is unplugged. Plug its cable in again.";
     rig.press(R::help);
     EXPECT_TRUE(rig.heard().starts_with(

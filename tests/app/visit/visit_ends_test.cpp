@@ -17,27 +17,27 @@ TEST(Visit, NoHintIsSaidWhileTheHandleGuides) {
     FakeHouse house;
     to_picture(house);
     house.lead_s = 20.0;
-    ASSERT_TRUE(house.choose("Guide me round the outer outline"));
+    ASSERT_TRUE(house.choose("Guide me along the largest outline"));
     const std::size_t before = house.transcript.size();
     house.wait(21.0);
     EXPECT_EQ(house.transcript.size(), before) << house.last_said();
     house.wait(3.0);
-    EXPECT_TRUE(house.has_said("You have gone all the way round.", before));
+    EXPECT_TRUE(house.has_said("That was the whole outline.", before));
 }
 
 TEST(Visit, WhyGuidingEndedIsSaid) {
     for (const auto& [why, told] :
-         {std::pair{GuidanceEnd::arrived, "You have gone all the way round."},
+         {std::pair{GuidanceEnd::arrived, "That was the whole outline."},
           std::pair{GuidanceEnd::let_go, "You let go of the handle. It has stopped guiding you."},
           std::pair{GuidanceEnd::no_force, "The force is off. The handle has stopped guiding you."},
           std::pair{GuidanceEnd::other, "The handle has stopped guiding you."}}) {
         FakeHouse house;
         to_picture(house);
         house.lead_s = 100.0;
-        ASSERT_TRUE(house.choose("Guide me round the outer outline"));
+        ASSERT_TRUE(house.choose("Guide me along the largest outline"));
         house.wait(3.0);
         house.apply(GuidanceEnded{why});
-        const std::string all = told + std::string(" Guide me round the outer outline, 1 of ") +
+        const std::string all = told + std::string(" Guide me along the largest outline, 1 of ") +
                                 std::to_string(house.screen().items.size());
         EXPECT_EQ(house.last_said(), all) << "and where the visitor is";
         house.press(KeyRole::repeat);
@@ -47,7 +47,7 @@ TEST(Visit, WhyGuidingEndedIsSaid) {
         FakeHouse house;
         house.settings.two_switches = use;
         to_picture(house);
-        ASSERT_TRUE(house.choose("Guide me round the outer outline"));
+        ASSERT_TRUE(house.choose("Guide me along the largest outline"));
         house.press(KeyRole::select);
         EXPECT_TRUE(house.last_said().starts_with(
             use == SwitchUse::none ? "You pressed a key." : "You pressed a switch."));
@@ -59,11 +59,11 @@ TEST(Visit, WhoWasLedRoundThePracticeShapeHearsWhatCanBeDoneNext) {
     to_choose(house);
     ASSERT_TRUE(house.choose("Practice shape"));
     house.wait(0.5);
-    ASSERT_TRUE(house.choose("Guide me round the outline"));
+    ASSERT_TRUE(house.choose("Guide me along the outline"));
     house.wait(5.0);
     EXPECT_EQ(house.last_said(),
-              "You have gone all the way round. Now feel it alone, choose another shape, or go on. "
-              "Guide me round the outline, 1 of 4");
+              "That was the whole outline. Now feel it alone, choose another shape, or go on. "
+              "Guide me along the outline, 1 of 4");
 }
 
 TEST(Visit, APartThatIsNearIsReachedWithoutCuttingItsAnnouncement) {
@@ -157,7 +157,7 @@ TEST(Visit, APictureThatAHandWasLedRoundWasFelt) {
     for (const bool is_led_to_the_end : {true, false}) {
         FakeHouse house;
         to_picture(house);
-        ASSERT_TRUE(house.choose("Guide me round the outer outline"));
+        ASSERT_TRUE(house.choose("Guide me along the largest outline"));
         house.wait(3.0);
         if (!is_led_to_the_end) house.press(KeyRole::down);
         house.wait(3.0);
@@ -227,7 +227,7 @@ TEST(Visit, AResetKeepsLanguageAndPictureAndSaysWhatItDid) {
     EXPECT_TRUE(visitor.felt);
     EXPECT_EQ(house.open(), VisitScreen::settings);
     EXPECT_TRUE(house.last_said().starts_with(house.languages[language].text(
-        "visit", "All settings are back as they were at the start.")));
+        "visit", "Sound, speech, letters and lines are as at the start.")));
 }
 
 TEST(Visit, NobodyQuitsTheKioskWithoutAQuestion) {

@@ -24,7 +24,7 @@ TEST(Visit, ForceThatIsLostSaysThatGuidingStoppedAndNamesTheStaffOnce) {
     FakeHouse house;
     to_picture(house);
     house.lead_s = 100.0;
-    ASSERT_TRUE(house.choose("Guide me round the outer outline"));
+    ASSERT_TRUE(house.choose("Guide me along the largest outline"));
     house.wait(3.0);
     house.apply(TroubleBegan{TroubleKind::device, spoken_fault(Fault::device_lost, Language())});
     EXPECT_EQ(house.last_said(),
@@ -60,10 +60,10 @@ TEST(Visit, WithoutForceWhatNeedsItSaysSo) {
     house.apply(TroubleBegan{TroubleKind::device, ""});
     house.press(KeyRole::select);
     EXPECT_TRUE(house.last_said().starts_with(
-        "Thing 4 en. Guide me round the outer outline, no force now, 1 of"))
+        "Thing 4 en. Guide me along the largest outline, no force now, 1 of"))
         << house.last_said();
     const std::string why = "The handle has no force now. Move it yourself.";
-    for (const char* name : {"Guide me round the outer outline", "Bring me back to a line"}) {
+    for (const char* name : {"Guide me along the largest outline", "Bring me back to a line"}) {
         ASSERT_TRUE(house.find(name));
         EXPECT_TRUE(house.last_said().find(", no force now, ") != std::string::npos);
         house.press(KeyRole::select);
@@ -77,7 +77,7 @@ TEST(Visit, WithoutForceWhatNeedsItSaysSo) {
     house.apply(TroubleEnded{TroubleKind::device});
     EXPECT_NE(house.screen().text, why);
     house.press(KeyRole::back);
-    ASSERT_TRUE(house.find("Guide me round the outer outline"));
+    ASSERT_TRUE(house.find("Guide me along the largest outline"));
     EXPECT_EQ(house.last_said().find("no force"), std::string::npos);
 }
 

@@ -21,8 +21,8 @@ std::size_t place_of_first(const VisitOrders& orders) {
 TEST(Visit, HA1_TheHandleLeadsOnlyAfterAKeyAndItsAnnouncement) {
     FakeHouse house;
     to_picture(house);
-    ASSERT_TRUE(house.choose("Guide me round the outer outline"));
-    EXPECT_NE(house.last_said().find("The handle will guide you round the outline."),
+    ASSERT_TRUE(house.choose("Guide me along the largest outline"));
+    EXPECT_NE(house.last_said().find("The handle will guide you along the outline."),
               std::string::npos);
     EXPECT_NE(house.last_said().find("Press any key to stop it."), std::string::npos);
     EXPECT_TRUE(house.last<Guide>().empty());
@@ -38,7 +38,7 @@ TEST(Visit, HA1_SlowSpeechHasTheTimeItNeeds) {
     FakeHouse house;
     to_picture(house);
     for (int i = 0; i < 3; ++i) house.apply(SpeechKeyPressed{SpeechKey::slower});
-    ASSERT_TRUE(house.choose("Guide me round the outer outline"));
+    ASSERT_TRUE(house.choose("Guide me along the largest outline"));
     house.wait(3.9);
     EXPECT_FALSE(house.is_leading);
     house.wait(0.2);
@@ -56,7 +56,7 @@ TEST(Visit, HA1_AnyKeyStopsInTheSameStepAndDoesNothingElse) {
             FakeHouse house;
             to_picture(house);
             house.lead_s = 100.0;
-            ASSERT_TRUE(house.choose("Guide me round the outer outline"));
+            ASSERT_TRUE(house.choose("Guide me along the largest outline"));
             house.wait(after_s);
             const auto path = house.visit.visitor.path;
             house.apply(key);
@@ -432,7 +432,7 @@ TEST(Visit, TheFirstWordsOfAPictureAreItsTitleThenHowItIsDrawn) {
     const auto title = told.find("Thing 4 en");
     const auto drawn = told.find("From the side");
     const auto outlines = told.find("5 outlines");
-    const auto item = told.find("Guide me round the outer outline");
+    const auto item = told.find("Guide me along the largest outline");
     EXPECT_EQ(title, 0U);
     EXPECT_LT(title, drawn);
     EXPECT_LT(drawn, outlines);

@@ -61,11 +61,11 @@ void visit_all(FakeHouse& house, double every_s) {
     visitor.press(KeyRole::select);
     expect_heard(visitor, "picture 1 of 12");
     visitor.press(KeyRole::select);
-    expect_heard(visitor, "Guide me round the outer outline");
+    expect_heard(visitor, "Guide me along the largest outline");
     visitor.press(KeyRole::select);
     expect_heard(visitor, "Press any key to stop it.");
     house.wait(5.0);
-    EXPECT_TRUE(house.has_said("You have gone all the way round.", 0));
+    EXPECT_TRUE(house.has_said("That was the whole outline.", 0));
     visitor.press(KeyRole::back);
     house.apply(StickCame{{"holiday", "letter"}, {}});
     ASSERT_TRUE(visitor.listen_for("Your USB stick, 2 pictures"));

@@ -140,7 +140,7 @@ TEST(Visit, SP7_PlaceAndRoleAreSaidAndAHintAfterAPause) {
     ASSERT_TRUE(house.choose("Settings"));
     house.press(KeyRole::up);  // Back
     house.press(KeyRole::down);
-    EXPECT_EQ(house.last_said(), "Volume, 4 of 7, setting, 1 of 12");
+    EXPECT_EQ(house.last_said(), "Volume, Step 4, setting, 1 of 12");
     const std::size_t before = house.transcript.size();
     house.wait(1.4);
     EXPECT_EQ(house.transcript.size(), before);

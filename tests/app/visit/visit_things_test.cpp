@@ -53,7 +53,7 @@ void expect_rest(const FakeHouse& house) {
     const std::string told = house.last_said();
     EXPECT_NE(told.find("From the side"), std::string::npos) << told;
     EXPECT_NE(told.find("5 outlines"), std::string::npos) << told;
-    EXPECT_NE(told.find("Guide me round the outer outline, 1 of"), std::string::npos) << told;
+    EXPECT_NE(told.find("Guide me along the largest outline, 1 of"), std::string::npos) << told;
     EXPECT_EQ(house.visit.visitor.caption.text, told);
     EXPECT_FALSE(house.visit.visitor.is_told_shortly);
 }
@@ -215,7 +215,8 @@ TEST(Visit, TheThingUnderTheHandIsOpenedAndOtherwiseThePictureStays) {
     EXPECT_EQ(wanted.view, 2);
     EXPECT_NEAR(wanted.thing_at->x, 0.02, 1e-9);
     const std::uint64_t whole = house.visit.visitor.felt->order.request;
-    house.apply(PictureFailed{wanted.request, "Nothing clear lies there. Choose another place."});
+    house.apply(PictureFailed{
+        wanted.request, "Nothing clear lies there. Move the handle elsewhere and try again."});
     EXPECT_TRUE(house.has_said("Nothing clear lies there", 0)) << house.last_said();
     EXPECT_EQ(house.open(), VisitScreen::picture);
     EXPECT_EQ(house.visit.visitor.felt->order.request, whole);

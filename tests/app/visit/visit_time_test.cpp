@@ -57,7 +57,7 @@ TEST(Visit, TI1_MotionCountsButNotThatOfAHandleThatLeads) {
     }
     EXPECT_EQ(house.open(), VisitScreen::picture);
     house.lead_s = 1e9;  // it waits for a hand that has let go
-    ASSERT_TRUE(house.choose("Guide me round the outer outline"));
+    ASSERT_TRUE(house.choose("Guide me along the largest outline"));
     moved.is_led = true;
     for (int i = 0; i < 420 && house.open() == VisitScreen::picture; ++i) {
         house.wait(1.0);
@@ -70,7 +70,7 @@ TEST(Visit, TI1_AHandleThatWaitsForAHandIsNobody) {
     FakeHouse house;
     to_picture(house);
     house.lead_s = 1e9;
-    ASSERT_TRUE(house.choose("Guide me round the outer outline"));
+    ASSERT_TRUE(house.choose("Guide me along the largest outline"));
     for (int i = 0; i < 89; ++i) {
         house.wait(1.0);
         house.apply(HandleSeen{});
@@ -338,7 +338,7 @@ TEST(Visit, ER2_AVisitSurvivesEveryLoss) {
         EXPECT_TRUE(house.visit.visitor.felt);
     }
     house.apply(CameraChanged{false});
-    ASSERT_TRUE(house.choose("Guide me round the outer outline"));
+    ASSERT_TRUE(house.choose("Guide me along the largest outline"));
     EXPECT_TRUE(house.has_said("The handle has no force now.", before));
     house.press(KeyRole::back);
     ASSERT_TRUE(house.choose("Your USB stick"));
@@ -351,7 +351,7 @@ TEST(Visit, ER2_AVisitSurvivesEveryLoss) {
     house.apply(TroubleEnded{TroubleKind::device});
     house.press(KeyRole::back);
     ASSERT_TRUE(house.choose("Back to the picture"));
-    ASSERT_TRUE(house.choose("Guide me round the outer outline"));
+    ASSERT_TRUE(house.choose("Guide me along the largest outline"));
     house.wait(3.0);
     EXPECT_TRUE(house.is_leading);
 }
@@ -361,7 +361,7 @@ TEST(Visit, ForceThatIsBackIsSaidOnceAndRepeatNoLongerSaysThatThereIsNone) {
     to_picture(house);
     house.apply(TroubleBegan{TroubleKind::device, ""});
     house.press(KeyRole::select);
-    ASSERT_TRUE(house.choose("Guide me round the outer outline"));
+    ASSERT_TRUE(house.choose("Guide me along the largest outline"));
     ASSERT_TRUE(house.last_said().starts_with("The handle has no force now."));
     const std::size_t before = house.transcript.size();
     house.apply(TroubleEnded{TroubleKind::device});
