@@ -82,7 +82,8 @@ TEST(Captions, APlaceInAListIsNotTornApart) {
             for (const NamedScreen& each : every_screen(language)) {
                 if (!each.screen.focus) continue;
                 const std::string spoken = spoken_screen(each.screen, language);
-                const std::string place = without_spaces(spoken.substr(spoken.rfind(", ") + 2));
+                const std::string place =
+                    without_spaces(told_place(each.screen, *each.screen.focus, language));
                 const CaptionLayout layout =
                     lay_out_caption(probe.context(), spoken, band, sizes, language);
                 const std::string& last = layout.text.pages.back().phrases.back().phrase.text;
