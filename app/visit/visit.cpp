@@ -67,7 +67,6 @@ void take(VisitWork& work, const StickGone& gone) {
     if (visitor.felt) add_sentence(told, words(work, "Your picture stays open."));
     if (open_screen(work) != VisitScreen::stick) return say(work, told, SpeechPriority::hint);
     if (visitor.has_stick) return say_return(work, told);  // the pictures given at the start
-    add_sentence(told, screen_of(work).title);
     add_sentence(told, words(work, "Put a USB stick into the slot; nothing is written to it."));
     say_item(work, told);
 }

@@ -149,7 +149,7 @@ void open_walls(KioskWorld& world, const std::string& picture) {
     ASSERT_TRUE(visitor.wait_for("What to feel")) << visitor.heard();
     ASSERT_TRUE(visitor.choose("Gallery")) << visitor.heard();
     ASSERT_TRUE(visitor.choose_picture(picture)) << visitor.heard();
-    ASSERT_TRUE(visitor.wait_for("Guide me round the")) << visitor.heard();
+    ASSERT_TRUE(visitor.wait_for("Guide me along the")) << visitor.heard();
     world.run(1.0);
 }
 

@@ -107,7 +107,7 @@ TEST(Kiosk, APictureGivenAtTheStartStaysAndIsToldByItsNameWithoutItsPath) {
         ASSERT_TRUE(visitor.choose("Your USB stick, 2 pictures")) << visitor.heard();
         const auto before = world.heard().things.size();
         ASSERT_TRUE(visitor.choose("my letter")) << visitor.heard();
-        ASSERT_TRUE(visitor.wait_for("my letter cannot be opened. This file is no picture"))
+        ASSERT_TRUE(visitor.wait_for("my letter cannot be opened. This file is not a picture"))
             << visitor.heard();
         EXPECT_FALSE(world.heard().was_said("/", before)) << world.heard().text_since(before);
         world.run(400.0);
@@ -127,7 +127,7 @@ TEST(Kiosk, AFileOfAStickIsNotNamedInTheLog) {
     ASSERT_TRUE(visitor.choose("Your USB stick"));
     (void)world.kiosk().take_report();  // about missing parts
     ASSERT_TRUE(visitor.choose("secret")) << visitor.heard();
-    ASSERT_TRUE(visitor.wait_for("This file is no picture that can be felt.")) << visitor.heard();
+    ASSERT_TRUE(visitor.wait_for("This file is not a picture that can be felt.")) << visitor.heard();
     EXPECT_EQ(world.kiosk().take_report(), "a visitor's picture cannot be felt\n");
 }
 

@@ -17,7 +17,7 @@ void to_heart(KioskWorld& world, BlindVisitor& visitor) {
     ASSERT_TRUE(visitor.wait_for("What to feel")) << visitor.heard();
     ASSERT_TRUE(visitor.choose("Gallery")) << visitor.heard();
     ASSERT_TRUE(visitor.choose_picture("A heart")) << visitor.heard();
-    ASSERT_TRUE(visitor.wait_for("Guide me round the")) << visitor.heard();
+    ASSERT_TRUE(visitor.wait_for("Guide me along the")) << visitor.heard();
     world.run(1.0);
 }
 

@@ -70,7 +70,7 @@ void finish(KioskWorld& world, BlindVisitor& visitor) {
 void feel_gallery_picture(KioskWorld& world, BlindVisitor& visitor) {
     ASSERT_TRUE(visitor.choose("Gallery")) << visitor.heard();
     ASSERT_TRUE(visitor.choose_picture("A heart")) << visitor.heard();
-    ASSERT_TRUE(visitor.wait_for("Guide me round the")) << visitor.heard();
+    ASSERT_TRUE(visitor.wait_for("Guide me along the")) << visitor.heard();
     EXPECT_GT(traced_share(world), 0.9);
 }
 
@@ -84,14 +84,14 @@ TEST(WholeVisit, BlindByTheTranscriptAloneToThreePictures) {
     to_choices(visitor);
     ASSERT_TRUE(visitor.choose("Your USB stick")) << visitor.heard();
     ASSERT_TRUE(visitor.choose("07 house")) << visitor.heard();
-    ASSERT_TRUE(visitor.wait_for("Guide me round the")) << visitor.heard();
+    ASSERT_TRUE(visitor.wait_for("Guide me along the")) << visitor.heard();
     EXPECT_GT(traced_share(world), 0.9);
 
     world.lay(TOUCHLINE_SOURCE_DIR "/tests/app/kiosk/triangle.png");
     to_choices(visitor);
     ASSERT_TRUE(visitor.choose("Camera")) << visitor.heard();
     ASSERT_TRUE(visitor.choose("Take the photo")) << visitor.heard();
-    ASSERT_TRUE(visitor.wait_for("Guide me round the")) << visitor.heard();
+    ASSERT_TRUE(visitor.wait_for("Guide me along the")) << visitor.heard();
     EXPECT_GT(traced_share(world), 0.9);
 
     EXPECT_LE(visitor.slowest_answer_s(), 0.3);
@@ -364,7 +364,7 @@ TEST(WholeVisit, TI4_NothingOfAVisitorIsInAnyFileAfterwards) {
     begin(visitor);
     ASSERT_TRUE(visitor.choose("Your USB stick")) << visitor.heard();
     ASSERT_TRUE(visitor.choose("07 house")) << visitor.heard();
-    ASSERT_TRUE(visitor.wait_for("Guide me round the")) << visitor.heard();
+    ASSERT_TRUE(visitor.wait_for("Guide me along the")) << visitor.heard();
     finish(world, visitor);
     EXPECT_EQ(files_below(world.folder() / "stick"), before) << "the stick is as it was";
     for (const auto& [file, text] : files_below(world.folder() / "site")) {

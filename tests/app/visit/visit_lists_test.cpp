@@ -260,21 +260,21 @@ TEST(VisitLists, WhoeverIsInAPartOfAStickThatGoesIsInTheListOfTheNext) {
     EXPECT_EQ(house.screen().title, "Your USB stick");
 }
 
-TEST(VisitLists, WhoeverIsInTheListOfAStickThatGoesHearsWhereTheyAreAndWhatToDo) {
+TEST(VisitLists, WhoeverIsInTheListOfAStickThatGoesHearsWhatHappenedAndWhatToDo) {
     FakeHouse house;
     to_stick(house, two_hundred_and_five_names());
     house.press(KeyRole::select);
     house.apply(StickGone{});
     EXPECT_EQ(house.last_said(),
-              "The USB stick is out. Your USB stick. Put one into the USB slot; "
-              "nothing is written to it. Back");
+              "The USB stick is out. Put a USB stick into the slot; nothing is written to it. "
+              "Back");
     house.apply(StickCame{{"apple.png"}, {}});
     house.press(KeyRole::select);
     house.wait(0.5);
     ASSERT_TRUE(house.choose("Another picture"));
     house.apply(StickGone{});
     EXPECT_TRUE(house.last_said().starts_with(
-        "The USB stick is out. Your picture stays open. Your USB stick. "))
+        "The USB stick is out. Your picture stays open. Put a USB stick "))
         << house.last_said();
 }
 

@@ -28,7 +28,8 @@ TEST(Visit, APhotographsMainThingTakesItsPlaceBeforeAHandHasTouchedIt) {
     ASSERT_TRUE(house.find("How much of the photo"));
     EXPECT_EQ(house.last_said().find("Thing 1"), std::string::npos) << "its screen says that";
     house.press(KeyRole::select);
-    EXPECT_TRUE(house.last_said().starts_with("Thing 1 of 2 in the photograph. The next thing"));
+    EXPECT_TRUE(house.last_said().starts_with(
+        "How much of the photo. Now: Thing 1 of 2 in the photograph. The next thing"));
     EXPECT_FALSE(house.find("The thing before"));
     ASSERT_TRUE(house.choose("The next thing"));
     EXPECT_EQ(house.last<LoadPicture>()[0].view, 2);

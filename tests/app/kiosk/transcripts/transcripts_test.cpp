@@ -86,7 +86,7 @@ TEST(StagedKiosk, FindsTheKeyHelpWhereTheLastItemIsBack) {
     kiosk.choose(VisitItem::gallery);
     ASSERT_EQ(kiosk.screen().items.back().name, "Back");
     kiosk.choose_key(KeyRole::help);
-    EXPECT_EQ(kiosk.screen().title, "Try the keys");
+    EXPECT_EQ(kiosk.screen().title, "Help");
 }
 
 TranscriptLine said(double at_s, double end_s, const char* text, bool is_asked) {
