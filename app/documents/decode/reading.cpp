@@ -127,7 +127,7 @@ tl::unexpected<Error> not_a_picture(FileFormat format) {
                 "the pictures");
         default:
             return failure(
-                "the file is not a picture that is known here, by its first bytes; "
+                "the file is no picture that is known here, by its first bytes; "
                 "save it as PNG, JPEG or PDF");
     }
 }

@@ -127,7 +127,8 @@ TEST(Kiosk, AFileOfAStickIsNotNamedInTheLog) {
     ASSERT_TRUE(visitor.choose("Your USB stick"));
     (void)world.kiosk().take_report();  // about missing parts
     ASSERT_TRUE(visitor.choose("secret")) << visitor.heard();
-    ASSERT_TRUE(visitor.wait_for("This file is not a picture that can be felt.")) << visitor.heard();
+    ASSERT_TRUE(visitor.wait_for("This file is not a picture that can be felt."))
+        << visitor.heard();
     EXPECT_EQ(world.kiosk().take_report(), "a visitor's picture cannot be felt\n");
 }
 

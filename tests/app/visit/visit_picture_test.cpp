@@ -339,7 +339,8 @@ TEST(Visit, WhatComesBeforeTheItemDoesNotMoveTheFocusFromIt) {
     empty.parts.clear();
     empty.outline_count = 0;
     house.apply(PictureReady{house.last<LoadPicture>()[0].request, empty});
-    EXPECT_NE(house.last_said().find("You feel this part of it: middle. Enlargement, "), std::string::npos)
+    EXPECT_NE(house.last_said().find("You feel this part of it: middle. Enlargement, "),
+              std::string::npos)
         << house.last_said();
 }
 
