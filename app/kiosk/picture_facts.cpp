@@ -20,8 +20,8 @@ constexpr std::array<std::string_view, 9> part_kinds{"closed line",
                                                      "rough area",
                                                      "line of text",
                                                      "figure",
-                                                     "outline of the main thing",
-                                                     "part of the main thing’s outline"};
+                                                     "outline of the main subject",
+                                                     "part of the main subject’s outline"};
 constexpr std::array<std::string_view, 9> part_places{"upper left", "top",    "upper right",
                                                       "left",       "middle", "right",
                                                       "lower left", "bottom", "lower right"};

@@ -223,7 +223,7 @@ PictureNews OrderedPicture::refuse(const Delivery& delivery, const Language& lan
     const std::string sentence =
         order_.thing_at
             ? language.text("trouble",
-                            is_answer ? line : "The main thing cannot be looked for now.")
+                            is_answer ? line : "The main subject cannot be looked for now.")
             : told_reason(line, wanted_->name, language);
     PictureNews news{PictureFailed{delivery.request, sentence}};
     if (!is_answer) news.line = wanted_->is_private ? "a visitor's picture cannot be felt" : line;

@@ -45,7 +45,7 @@ struct Lines {
     void add_handle() {
         const Urgency urgency = health.has_motors ? Urgency::none : Urgency::remark;
         if (health.handle_trouble.empty())
-            add(urgency, "Handle", health.handle.empty() ? words("in order") : health.handle);
+            add(urgency, "Handle", health.handle.empty() ? words("working") : health.handle);
         else
             add_sentences(health.handle_trouble);
         if (!health.has_motors) return;

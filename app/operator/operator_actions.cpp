@@ -29,7 +29,7 @@ void find_home(OperatorTurn& turn) {
 
 void clear_fault(OperatorTurn& turn) {
     turn.order(ClearFault{});
-    turn.say(turn.words("Any force fault is reset."));
+    turn.say(turn.words("Any force fault has been cleared."));
 }
 
 void run_all_tests(OperatorTurn& turn) {

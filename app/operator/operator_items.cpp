@@ -271,7 +271,7 @@ const char* told_urgency(Urgency worst) {
         case Urgency::trouble:
             return "Something does not work.";
         case Urgency::remark:
-            return "Everything that a visit needs works.";
+            return "Everything a visitor needs is working.";
         case Urgency::none:
             break;
     }

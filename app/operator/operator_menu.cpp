@@ -57,7 +57,7 @@ constexpr auto places = std::to_array<PlaceRow>({
      "Force and keys are off. They come back by themselves.", "", false},
     {P::upkeep, P::home, "Upkeep", "", ""},
     {P::library, P::upkeep, "Copy from a USB stick", "Choose what to copy into this kiosk.", ""},
-    {P::counters, P::upkeep, "What was counted", "Nothing is recorded about who visited.", ""},
+    {P::counters, P::upkeep, "Visit counts", "Nothing is recorded about who visited.", ""},
     {P::days, P::counters, "Day by day", "", ""},
     {P::log, P::upkeep, "Log and recording",
      "The log is copied beside the settings. Nothing about visitors is in it.", ""},

@@ -195,7 +195,7 @@ void turn_value(OperatorTurn& turn, const ItemMeaning& meaning, bool is_up) {
         const SoundSettings sound = with_sound_turned(state.sound, meaning, is_up);
         const bool is_same = sound == state.sound;
         state.sound = sound;
-        return is_same ? say_end(turn) : turn.say_item();
+        return is_same ? say_end(turn) : turn.say_value();
     }
     const Settings settings = turned_settings(state.settings, meaning, is_up);
     if (!conflicts(settings).empty())
@@ -205,7 +205,7 @@ void turn_value(OperatorTurn& turn, const ItemMeaning& meaning, bool is_up) {
     const bool waits_for_yes =
         is_ceiling(meaning) && settings.force_ceiling_N > turn.world.settings.force_ceiling_N;
     if (!waits_for_yes) turn.order(SetSettings{settings});
-    turn.say_item();
+    turn.say_value();
 }
 
 bool release_value(OperatorTurn& turn) {

@@ -35,6 +35,12 @@ struct OperatorTurn {
         if (shown.focus) say(spoken_item(shown, *shown.focus, world.language));
     }
 
+    /// Says its value alone.
+    void say_value() {
+        const SpokenScreen shown = screen();
+        if (shown.focus) say(shown.items[*shown.focus].value);
+    }
+
     /// Opens another screen and says all of it after `first`. Focuses its first item, or the item
     /// of the screen that this came from.
     void go(OperatorPlace place, const std::string& first = "") {

@@ -9,8 +9,8 @@ constexpr double patience_s = 60.0;
 constexpr unsigned all_pressed = (1U << needed_role_count) - 1U;
 
 constexpr std::array<TestStepRow, test_step_count> rows{{
-    {TestStep::device, "Board of the handle", "Checks whether the board of the handle answers.", "",
-     false},
+    {TestStep::device, "Circuit board of the handle",
+     "Checks whether the board of the handle answers.", "", false},
     {TestStep::motors, "Motors",
      "The motors push to both sides with at most 1 newton. Hold the handle lightly.",
      "Did the handle push to both sides?", true},

@@ -9,12 +9,12 @@ namespace {
 std::string told_thing(const PagePlace& place, const Language& language) {
     switch (place.things) {
         case ThingSearch::under_way:
-            return language.text("page", "Its main thing is being looked for");
+            return language.text("page", "Its main subject is being looked for");
         case ThingSearch::unclear:
-            return language.text("page", "It has no clear main thing");
+            return language.text("page", "It has no clear main subject");
         case ThingSearch::impossible:
         case ThingSearch::absent:
-            return language.text("page", "Its main thing cannot be found here");
+            return language.text("page", "Its main subject cannot be found here");
         case ThingSearch::none:
         case ThingSearch::found:
             break;
@@ -22,7 +22,7 @@ std::string told_thing(const PagePlace& place, const Language& language) {
     if (place.view >= place.view_count) return language.text("page", "The whole photograph");
     if (place.view_count == 2) {
         return language.text("page", place.is_face ? "A face in the photograph"
-                                                   : "Only the main thing of the photograph");
+                                                   : "Only the main subject of the photograph");
     }
     if (place.is_face) {
         return language.text("page", "Thing {0} of {1} in the photograph, a face",

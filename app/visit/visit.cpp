@@ -129,7 +129,7 @@ std::string told_arrival(const VisitWork& work, GuideKind kind) {
     if (kind == GuideKind::outline) {
         const std::string told = words(work, "That was the whole outline.");
         if (open_screen(work) != VisitScreen::practice) return told;
-        return told + ' ' + words(work, "Now feel it alone, choose another shape, or go on.");
+        return told + ' ' + words(work, "Now feel it on your own, choose another shape, or go on.");
     }
     if (kind == GuideKind::bring_back) return words(work, "You are on a line.");
     return language_of(work).text("guidance", "You are there.");

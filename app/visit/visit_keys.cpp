@@ -128,8 +128,10 @@ struct RoleRow {
 
 // In the order of KeyRole.
 constexpr std::array<RoleRow, key_role_count> roles{{
-    {"Up", "Goes to the item before. Hold it to jump.", move<false>, "Goes to the item before."},
-    {"Down", "Goes to the next item. Hold it to jump.", move<true>, "Goes to the next item."},
+    {"Up", "Goes to the previous item. Hold it to skip several.", move<false>,
+     "Goes to the previous item."},
+    {"Down", "Goes to the next item. Hold it to skip several.", move<true>,
+     "Goes to the next item."},
     {"Back", "Goes one screen back. Press it again to leave the help.", go_back,
      "Goes one screen back. Choose it again to leave the help."},
     {"Repeat", "Repeats the last words. Press it twice for the whole screen.", repeat,

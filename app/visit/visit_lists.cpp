@@ -333,7 +333,7 @@ constexpr auto list_items = std::to_array<VisitItemRow>({
     {S::pages, I::entry, "", VisitList{write_page_rows, take_page}, nullptr, has_many_pages},
     {S::picture, I::next_picture, "Next picture", open_picture_beside<+1>, nullptr,
      has_picture_beside<+1>, picture_beside<+1>},
-    {S::picture, I::picture_before, "Picture before", open_picture_beside<-1>, nullptr,
+    {S::picture, I::picture_before, "Previous picture", open_picture_beside<-1>, nullptr,
      has_picture_beside<-1>, picture_beside<-1>},
 });
 

@@ -82,7 +82,7 @@ std::string told_change(const VisitWork& work, LoadReason reason) {
                                     felt.facts.outline_count);
         case LoadReason::zoom:
             if (felt.order.zoom.factor <= 1.0) return words(work, "The whole picture.");
-            return words(work, "Now {0} times as large. You feel this part of it: {1}.",
+            return words(work, "Now {0} times as large. You feel the {1} of the picture.",
                          {language.number(felt.order.zoom.factor, 0),
                           words_of(place_of(felt.order.zoom.centre, CueArea{}), language)});
         case LoadReason::other_view: {
@@ -302,7 +302,7 @@ bool keep_whole(VisitWork& work) {
 
 void tell_things(VisitWork& work) {
     cue(work, ScreenEvent::news);
-    tell_names(work, "The main thing was found. You will find it under: How much of the photo.");
+    tell_names(work, "The main subject was found. You will find it under: How much of the photo.");
 }
 
 /// If the hand has found a line, the picture stays: the visitor is told, and can choose the main
@@ -315,11 +315,11 @@ void take(VisitWork& work, const ThingsLookedFor& looked) {
     visitor.felt->order.page = looked.place.page;
     visitor.felt->order.view = looked.place.view;
     if (looked.place.things == ThingSearch::impossible)
-        return tell_names(work, "The main thing cannot be looked for now.");
+        return tell_names(work, "The main subject cannot be looked for now.");
     if (looked.place.things == ThingSearch::absent)
-        return tell_names(work, "The main thing cannot be found here.");
+        return tell_names(work, "The main subject cannot be found here.");
     if (looked.place.things != ThingSearch::found)
-        return tell_names(work, "No clear main thing was found.");
+        return tell_names(work, "No clear main subject was found.");
     const bool is_waiting = !visitor.has_touched && !visitor.loading && !visitor.is_capturing &&
                             visitor.felt->order.zoom.factor <= 1.0 &&
                             visitor.path.back().screen == VisitScreen::picture;

@@ -33,6 +33,10 @@ bool is_of_things(const VisitSheet& sheet) {
     return facts_of(sheet).place.things == ThingSearch::found;
 }
 
+bool is_photo(const VisitSheet& sheet) {
+    return sheet.felt().order.source == PictureSource::camera;
+}
+
 bool has_view_after(const VisitSheet& sheet) {
     const PagePlace& place = facts_of(sheet).place;
     return place.view + 1 < place.view_count;
@@ -395,7 +399,9 @@ constexpr auto picture_items = std::to_array<VisitItemRow>({
      }},
     {S::picture, I::undo, "Undo the last change", undo, nullptr,
      [](const VisitSheet& sheet) { return sheet.visitor().before.has_value(); }, told_last_change},
-    {S::picture, I::another_picture, "Another picture", choose_another},
+    {S::picture, I::another_picture, "Take another photo", choose_another, nullptr, is_photo},
+    {S::picture, I::another_picture, "Another picture", choose_another, nullptr,
+     [](const VisitSheet& sheet) { return !is_photo(sheet); }},
 
     {S::parts, I::entry, "", VisitList{write_parts, lead_to_part}},
 
@@ -414,15 +420,15 @@ constexpr auto picture_items = std::to_array<VisitItemRow>({
     {S::pages, I::next_view, "The whole photograph", step_view<+1>, nullptr,
      of_things<is_before_whole>},
     {S::pages, I::next_view, "The whole page", step_view<+1>, nullptr, of_page<is_before_whole>},
-    {S::pages, I::view_before, "The thing before", step_view<-1>, nullptr,
+    {S::pages, I::view_before, "The previous thing", step_view<-1>, nullptr,
      of_things<has_view_before>},
-    {S::pages, I::view_before, "The picture before", step_view<-1>, nullptr,
+    {S::pages, I::view_before, "The previous picture", step_view<-1>, nullptr,
      of_page<has_view_before>},
     {S::pages, I::next_page, "Go to the next page", step_page<+1>, nullptr,
      [](const VisitSheet& sheet) {
          return facts_of(sheet).place.page < facts_of(sheet).place.page_count;
      }},
-    {S::pages, I::page_before, "Go to the page before", step_page<-1>, nullptr,
+    {S::pages, I::page_before, "Go to the previous page", step_page<-1>, nullptr,
      [](const VisitSheet& sheet) { return facts_of(sheet).place.page > 1; }},
 });
 
@@ -443,8 +449,7 @@ VisitMenu picture_menu() {
 std::string picture_title(const VisitSheet& sheet) {
     const std::string& title = facts_of(sheet).title;
     if (!title.empty()) return title;
-    const bool is_photo = sheet.felt().order.source == PictureSource::camera;
-    return sheet.words(is_photo ? "Your photo" : "A picture without a name");
+    return sheet.words(is_photo(sheet) ? "Your photo" : "A picture without a name");
 }
 
 }  // namespace touchline

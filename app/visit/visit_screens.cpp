@@ -18,9 +18,9 @@ void write_attract(VisitSheet& sheet) {
 void write_language(VisitSheet& sheet) {
     if (!has_keys(sheet.world)) {
         sheet.sentence(moves_by_itself(sheet.world)
-                           ? "It moves on by itself; your switch is Select."
+                           ? "Items come by themselves; your switch is Select."
                            : "One switch moves on, the other is Select.");
-        sheet.sentence("After the last item come Repeat, Back and Help.");
+        sheet.sentence("After the last come Repeat, Back and Help.");
     } else {
         sheet.sentence("Choose your language with Up, Down and Select.");
         sheet.sentence("Press Help to try the keys.");
@@ -67,7 +67,7 @@ void write_choose(VisitSheet& sheet) {
 
 std::string stick_value(const VisitSheet& sheet) {
     const Visitor& visitor = sheet.visitor();
-    if (!visitor.has_stick) return sheet.words("none");
+    if (!visitor.has_stick) return sheet.words("not plugged in");
     if (!visitor.stick_list) return sheet.words("being read");
     return sheet.language.counted("count", "{0} picture", "{0} pictures",
                                   static_cast<int>(visitor.stick_list->names.size()));
@@ -132,7 +132,8 @@ void reset_settings(VisitWork& work) {
     work.visitor.look = first.look;
     work.visitor.feel = first.feel;
     leave(work);
-    say_return(work, words(work, "Sound, speech, letters and lines are as at the start."));
+    say_return(work,
+               words(work, "Sound, speech, letters and lines are as they were at the start."));
 }
 
 struct VisitQuestion {
@@ -153,7 +154,7 @@ constexpr auto questions = std::to_array<VisitQuestion>(
           begin_visit(work);
       }},
      {VisitItem::reset, "Reset the settings?",
-      "Sound, speech, letters and lines will be as at the start.", reset_settings},
+      "Sound, speech, letters and lines will be as they were at the start.", reset_settings},
      {VisitItem::quit, "Shut the kiosk down?", "Nobody can use it until somebody starts it again.",
       [](VisitWork& work) { order(work, Quit{}); }}});
 

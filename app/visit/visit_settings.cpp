@@ -10,9 +10,9 @@ namespace {
 
 constexpr NamedValues<3> amounts{"visit", {"none of them", "short ones", "all of them"}};
 constexpr NamedValues<4> sizes{"visit", {"ordinary", "large", "larger", "largest"}};
-constexpr NamedValues<4> palettes{
-    "visit",
-    {"light letters on dark", "dark letters on light", "warm letters on dark", "low glare"}};
+constexpr NamedValues<4> palettes{"visit",
+                                  {"light letters on dark", "dark letters on light",
+                                   "warm-coloured letters on dark", "low glare"}};
 
 /// Without "of 7", which the place on the screen says already.
 std::vector<std::string> stepped(const Language& language, std::size_t count) {
@@ -89,7 +89,7 @@ constexpr auto settings_items = std::to_array<VisitItemRow>({
                   {kept_value<&Visitor::sound, &SoundWanted::language>, choose_language}}},
     {S::settings, I::sounds, "Sounds",
      VisitSetting{named<amounts>, kept_in<&Visitor::sound, &SoundWanted::amount>}},
-    {S::settings, I::mono, "The same in both ears",
+    {S::settings, I::mono, "The same sound in both ears",
      VisitSwitch{kept_in<&Visitor::sound, &SoundWanted::is_mono>}},
     {S::settings, I::speech, "Speech",
      VisitSwitch{kept_in<&Visitor::sound, &SoundWanted::is_speech_on>, 1, tell_speech}},

@@ -161,7 +161,7 @@ TEST(ThingHere, IsSaidWhetherItWasFoundOrNotAndThePictureStays) {
     ASSERT_TRUE(visitor.choose("English"));
     ASSERT_TRUE(visitor.choose("Your USB stick"));
     ASSERT_TRUE(visitor.choose("garden")) << visitor.heard();
-    ASSERT_TRUE(visitor.wait_for("It has no clear main thing")) << visitor.heard();
+    ASSERT_TRUE(visitor.wait_for("It has no clear main subject")) << visitor.heard();
     (void)world.kiosk().take_report();
 
     ASSERT_TRUE(visitor.choose("Find the thing under my hand")) << visitor.heard();
@@ -174,7 +174,7 @@ TEST(ThingHere, IsSaidWhetherItWasFoundOrNotAndThePictureStays) {
 
     const int felt = world.servo().felt_count;
     ASSERT_TRUE(visitor.choose("Find the thing under my hand")) << visitor.heard();
-    ASSERT_TRUE(visitor.wait_for("Only the main thing of the photograph")) << visitor.heard();
+    ASSERT_TRUE(visitor.wait_for("Only the main subject of the photograph")) << visitor.heard();
     EXPECT_GT(world.servo().felt_count, felt);
     ASSERT_TRUE(visitor.choose("How much of the photo")) << visitor.heard();
     ASSERT_TRUE(visitor.choose("The whole photograph")) << visitor.heard();

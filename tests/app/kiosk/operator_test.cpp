@@ -154,7 +154,7 @@ TEST(OperatorRun, TheFirstScreenIsTheStateOfTheKiosk) {
     world.servo().words.clear();
     world.run(121.0);
     staff.press(KeyRole::help);
-    EXPECT_NE(staff.heard().find("State of the kiosk. Everything that a visit needs works."),
+    EXPECT_NE(staff.heard().find("State of the kiosk. Everything a visitor needs is working."),
               std::string::npos)
         << "the network that does not ship is missing: " << staff.heard();
     EXPECT_TRUE(staff.find("Starting point found, 2 minutes ago")) << staff.heard();
@@ -526,7 +526,7 @@ TEST(House, ItsDaysAreHeardAndCopied) {
     BlindVisitor staff(world, 0.2);
     open_menu(staff);
     ASSERT_TRUE(staff.choose("Upkeep")) << staff.heard();
-    ASSERT_TRUE(staff.choose("What was counted")) << staff.heard();
+    ASSERT_TRUE(staff.choose("Visit counts")) << staff.heard();
     ASSERT_TRUE(staff.choose("Day by day")) << staff.heard();
     EXPECT_NE(staff.heard().find("today, 1 visit, 0 pictures, "), std::string::npos)
         << staff.heard();

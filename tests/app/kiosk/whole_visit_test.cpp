@@ -279,7 +279,7 @@ TEST(WholeVisit, ThroughAPdfOfManyPages) {
         EXPECT_FALSE(world.servo().picture().map->outlines.empty()) << number;
     }
     EXPECT_FALSE(visitor.find("Go to the next page")) << "it is the last";
-    ASSERT_TRUE(visitor.choose("Go to the page before")) << visitor.heard();
+    ASSERT_TRUE(visitor.choose("Go to the previous page")) << visitor.heard();
     ASSERT_TRUE(visitor.wait_for("Page 11 of 12")) << visitor.heard();
     finish(world, visitor);
 }

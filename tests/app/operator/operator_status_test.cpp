@@ -50,7 +50,7 @@ TEST(Health, AHandleOfWhichNothingIsKnownStillHasAState) {
     KioskHealth health = sound_health();
     health.handle.clear();
     const auto lines = health_lines(health, Language());
-    EXPECT_EQ(std::ranges::find(lines, "Handle", &HealthLine::name)->value, "in order");
+    EXPECT_EQ(std::ranges::find(lines, "Handle", &HealthLine::name)->value, "working");
 }
 
 TEST(Health, ANetworkThatDoesNotShipIsOnlyRemarkedOn) {
@@ -108,7 +108,7 @@ TEST_F(StatusTest, IsWhatThePinOpensAndSaysTheWorstAtOnce) {
     rig.health.networks = {1, false};
     rig.press(R::help);
     EXPECT_TRUE(
-        rig.heard().starts_with("State of the kiosk. Everything that a visit needs works. "));
+        rig.heard().starts_with("State of the kiosk. Everything a visitor needs is working. "));
     rig.health.handle_trouble = "The handle is unplugged. Plug its cable in again.";
     rig.press(R::help);
     EXPECT_TRUE(rig.heard().starts_with(
@@ -138,8 +138,9 @@ TEST_F(StatusTest, TheSelfTestIsWalkedByEar) {
     (void)rig.heard();
     const std::vector<std::pair<R, const char*>> walk{
         {R::select,
-         "Board of the handle. Checks whether the board of the handle answers.\n"
-         "Board of the handle passed. Motors. The motors push to both sides with at most 1 newton. "
+         "Circuit board of the handle. Checks whether the board of the handle answers.\n"
+         "Circuit board of the handle passed. Motors. The motors push to both sides with at most 1 "
+         "newton. "
          "Hold the handle lightly. Press Select to begin.\n"},
         {R::select, "Motors. Did the handle push to both sides? Yes, 1 of 2\n"},
         {R::select,
@@ -210,7 +211,7 @@ TEST_F(StatusTest, BackStopsATest) {
 }
 
 TEST_F(StatusTest, DaysAreListedFromTodayOnAndTheirSumIsBesideThem) {
-    ASSERT_TRUE(rig.open({"Upkeep", "What was counted", "Day by day"}));
+    ASSERT_TRUE(rig.open({"Upkeep", "Visit counts", "Day by day"}));
     EXPECT_NE(rig.heard().find("Nothing was counted yet."), std::string::npos);
     for (int i = 40; i >= -1; --i)  // the clock was a day ahead once
         rig.days.push_back({rig.today - std::chrono::days(i), {1, 1, 2, 3, 1, 2}});

@@ -395,7 +395,7 @@ TEST(Kinds, EveryProfileCanBeChosen) {
 }
 
 TEST_F(OperatorTest, UpkeepAsksBeforeItLosesAnything) {
-    ASSERT_TRUE(rig.open({"Upkeep", "What was counted", "Begin again from zero"}));
+    ASSERT_TRUE(rig.open({"Upkeep", "Visit counts", "Begin again from zero"}));
     EXPECT_EQ(rig.count<ZeroCounters>(), 0);
     rig.press(R::back);
     EXPECT_EQ(rig.state.place, P::counters) << "Back is No";

@@ -67,7 +67,7 @@ SpokenScreen camera_screen(const Language& language) {
 
 SpokenScreen keys_screen(const Language& language) {
     constexpr std::array keys{
-        std::pair{"Up", "Goes to the item before."},
+        std::pair{"Up", "Goes to the previous item."},
         std::pair{"Down", "Goes to the next item."},
         std::pair{"Back", "Goes one screen back. Press it again to leave the help."},
         std::pair{"Repeat", "Repeats the last words. Press it twice for the whole screen."},

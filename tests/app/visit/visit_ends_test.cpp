@@ -61,9 +61,10 @@ TEST(Visit, WhoWasLedRoundThePracticeShapeHearsWhatCanBeDoneNext) {
     house.wait(0.5);
     ASSERT_TRUE(house.choose("Guide me along the outline"));
     house.wait(5.0);
-    EXPECT_EQ(house.last_said(),
-              "That was the whole outline. Now feel it alone, choose another shape, or go on. "
-              "Guide me along the outline, 1 of 4");
+    EXPECT_EQ(
+        house.last_said(),
+        "That was the whole outline. Now feel it on your own, choose another shape, or go on. "
+        "Guide me along the outline, 1 of 4");
 }
 
 TEST(Visit, APartThatIsNearIsReachedWithoutCuttingItsAnnouncement) {
@@ -213,9 +214,10 @@ TEST(Visit, AResetKeepsLanguageAndPictureAndSaysWhatItDid) {
     }
     ASSERT_TRUE(house.choose("Screen"));
     ASSERT_TRUE(house.choose("Reset the settings"));
-    EXPECT_EQ(house.last_said(),
-              "Reset the settings? Sound, speech, letters and lines will be as at the start. "
-              "No, 1 of 2");
+    EXPECT_EQ(
+        house.last_said(),
+        "Reset the settings? Sound, speech, letters and lines will be as they were at the start. "
+        "No, 1 of 2");
     const std::size_t language = house.visit.visitor.sound.language = 2;
     house.press({KeyRole::down, KeyRole::select});
     const Visitor& visitor = house.visit.visitor;
@@ -227,7 +229,7 @@ TEST(Visit, AResetKeepsLanguageAndPictureAndSaysWhatItDid) {
     EXPECT_TRUE(visitor.felt);
     EXPECT_EQ(house.open(), VisitScreen::settings);
     EXPECT_TRUE(house.last_said().starts_with(house.languages[language].text(
-        "visit", "Sound, speech, letters and lines are as at the start.")));
+        "visit", "Sound, speech, letters and lines are as they were at the start.")));
 }
 
 TEST(Visit, NobodyQuitsTheKioskWithoutAQuestion) {

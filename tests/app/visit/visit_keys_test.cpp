@@ -141,7 +141,7 @@ TEST(Visit, HelpSaysAndShowsTheKeys) {
                        0));
     ASSERT_EQ(house.screen().items.size(), key_role_count);
     EXPECT_EQ(house.screen().items[0].name, "Up");
-    EXPECT_EQ(house.screen().items[0].value, "Goes to the item before. Hold it to jump.");
+    EXPECT_EQ(house.screen().items[0].value, "Goes to the previous item. Hold it to skip several.");
     EXPECT_FALSE(house.screen().focus) << "none of them can be chosen";
 }
 

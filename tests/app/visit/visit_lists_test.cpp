@@ -196,7 +196,7 @@ TEST(VisitLists, FromAPictureItsListOpensWhereItIsAndItsNeighboursAreOneKeyAway)
         EXPECT_TRUE(house.last_said().find("Next picture, garden") != std::string::npos)
             << house.last_said();
     }
-    ASSERT_TRUE(house.choose("Picture before"));
+    ASSERT_TRUE(house.choose("Previous picture"));
     EXPECT_EQ(house.visit.visitor.loading->order.index, 51U);
     house.wait(0.5);
     ASSERT_TRUE(house.choose("Another picture"));
@@ -209,11 +209,11 @@ TEST(VisitLists, FromAPictureItsListOpensWhereItIsAndItsNeighboursAreOneKeyAway)
 TEST(VisitLists, TheEndsOfAListHaveOneNeighbour) {
     FakeHouse house;
     to_stick_picture(house, 2);
-    EXPECT_FALSE(house.find("Picture before"));
+    EXPECT_FALSE(house.find("Previous picture"));
     ASSERT_TRUE(house.choose("Next picture"));
     house.wait(0.5);
     EXPECT_FALSE(house.find("Next picture"));
-    EXPECT_TRUE(house.find("Picture before"));
+    EXPECT_TRUE(house.find("Previous picture"));
     house.press(KeyRole::back);
     ASSERT_TRUE(house.choose("Practice shape"));
     house.wait(0.5);

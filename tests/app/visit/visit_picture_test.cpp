@@ -389,7 +389,7 @@ TEST(Visit, PagesAndTheirPicturesAreWalkedThrough) {
     to_stick_picture(house);
     EXPECT_TRUE(house.has_said("Page 1 of 2. Picture 1 of 2 on this page", 0));
     ASSERT_TRUE(house.choose("Pages"));
-    EXPECT_FALSE(house.find("Go to the page before"));
+    EXPECT_FALSE(house.find("Go to the previous page"));
     ASSERT_TRUE(house.choose("Next picture of the page"));
     EXPECT_EQ(house.last<LoadPicture>()[0].view, 2);
     house.wait(0.5);
@@ -405,7 +405,7 @@ TEST(Visit, PagesAndTheirPicturesAreWalkedThrough) {
     EXPECT_EQ(house.last_said(),
               "Page 2 of 2. Picture 1 of 2 on this page. 5 outlines. This is the last page. Back");
     EXPECT_FALSE(house.find("Go to the next page"));
-    EXPECT_TRUE(house.find("Go to the page before"));
+    EXPECT_TRUE(house.find("Go to the previous page"));
     ASSERT_TRUE(house.choose("Back"));
     EXPECT_EQ(house.open(), VisitScreen::picture);
     EXPECT_NE(house.last_said().find("Pages"), std::string::npos);

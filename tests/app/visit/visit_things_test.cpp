@@ -30,7 +30,7 @@ TEST(Visit, APhotographsMainThingTakesItsPlaceBeforeAHandHasTouchedIt) {
     house.press(KeyRole::select);
     EXPECT_TRUE(house.last_said().starts_with(
         "How much of the photo. Now: Thing 1 of 2 in the photograph. The next thing"));
-    EXPECT_FALSE(house.find("The thing before"));
+    EXPECT_FALSE(house.find("The previous thing"));
     ASSERT_TRUE(house.choose("The next thing"));
     EXPECT_EQ(house.last<LoadPicture>()[0].view, 2);
 }
@@ -45,7 +45,7 @@ PictureFacts shortly_told(FakeHouse& house) {
     PictureFacts facts = fake_facts(photo);
     facts.place = {1, 1, 1, 1, ThingSearch::under_way};
     house.apply(PictureReady{photo.request, facts});
-    EXPECT_EQ(house.last_said(), facts.title + ". Its main thing is being looked for");
+    EXPECT_EQ(house.last_said(), facts.title + ". Its main subject is being looked for");
     return facts;
 }
 
@@ -117,10 +117,10 @@ TEST(Visit, AHandThatHasFoundALineKeepsItAndIsToldOfTheMainThing) {
     house.apply(looked_for(house, 1));
     EXPECT_EQ(house.visit.site.request, whole) << "nothing else is opened";
     EXPECT_EQ(house.last_said(),
-              "The main thing was found. You will find it under: How much of the photo.");
+              "The main subject was found. You will find it under: How much of the photo.");
     EXPECT_EQ(house.last<Utterance>()[0].priority, SpeechPriority::hint);
     ASSERT_TRUE(house.choose("How much of the photo"));
-    ASSERT_TRUE(house.choose("The thing before"));
+    ASSERT_TRUE(house.choose("The previous thing"));
     EXPECT_EQ(house.last<LoadPicture>()[0].view, 1);
 }
 
@@ -137,7 +137,7 @@ TEST(Visit, WhatAHandTouchesWhileTheMainThingIsOpenedStays) {
     EXPECT_EQ(house.visit.visitor.felt->order.request, whole);
     EXPECT_EQ(house.visit.visitor.felt->order.view, 2) << "another detail is of the whole";
     EXPECT_EQ(house.last_said(),
-              "The main thing was found. You will find it under: How much of the photo.");
+              "The main subject was found. You will find it under: How much of the photo.");
 }
 
 TEST(Visit, WhoHasEnlargedAPlaceKeepsIt) {
@@ -155,7 +155,7 @@ TEST(Visit, WhereNothingIsClearAPhotographStaysAndThatIsTold) {
     FakeHouse house;
     to_picture(house);
     house.apply(looked_for(house, 0));
-    EXPECT_EQ(house.last_said(), "No clear main thing was found.");
+    EXPECT_EQ(house.last_said(), "No clear main subject was found.");
     EXPECT_FALSE(house.find("How much of the photo"));
     EXPECT_FALSE(house.find("Pages"));
     ThingsLookedFor old = looked_for(house, 1);
@@ -171,7 +171,7 @@ TEST(Visit, WhatAPhotographIsTakenForIsToldAsAGuess) {
     ThingsLookedFor looked = looked_for(house, 0);
     looked.names = {dog};
     house.apply(looked);
-    EXPECT_EQ(house.last_said(), "Probably a dog, on the left. No clear main thing was found.");
+    EXPECT_EQ(house.last_said(), "Probably a dog, on the left. No clear main subject was found.");
     ASSERT_TRUE(house.choose("Tell me again"));
     const std::string told = house.last_said();
     EXPECT_LT(told.find("From the side"), told.find("Probably a dog, on the left."))
@@ -184,11 +184,11 @@ TEST(Visit, WithoutTheNetworkOfMainThingsNamesAreToldAndThatItIsAbsent) {
     ThingsLookedFor looked = looked_for(house, 0);
     looked.place.things = ThingSearch::absent;
     house.apply(looked);
-    EXPECT_EQ(house.last_said(), "The main thing cannot be found here.");
+    EXPECT_EQ(house.last_said(), "The main subject cannot be found here.");
     looked.names = {{ThingName::animal, {0.0, 0.0, 1.0, 1.0}, 0.5}};
     house.apply(looked);
     EXPECT_EQ(house.last_said(),
-              "Probably an animal, in most of the picture. The main thing cannot be found here.");
+              "Probably an animal, in most of the picture. The main subject cannot be found here.");
 }
 
 TEST(Visit, AFaceIsToldAsOne) {
@@ -237,7 +237,7 @@ TEST(Visit, WhereNobodyCouldLookThatIsNotCalledUnclear) {
     ThingsLookedFor looked = looked_for(house, 0);
     looked.place.things = ThingSearch::impossible;
     house.apply(looked);
-    EXPECT_EQ(house.last_said(), "The main thing cannot be looked for now.");
+    EXPECT_EQ(house.last_said(), "The main subject cannot be looked for now.");
 }
 
 }  // namespace

@@ -114,7 +114,7 @@ TEST(Visit, TI2_NothingOfAVisitorStays) {
     house.press(KeyRole::back);
     ASSERT_TRUE(house.choose("Settings"));
     ASSERT_TRUE(house.choose("Screen"));
-    ASSERT_TRUE(house.choose("The same in both ears"));
+    ASSERT_TRUE(house.choose("The same sound in both ears"));
     house.press(KeyRole::louder);
     house.press(KeyRole::back);
     finish(house);
