@@ -18,7 +18,7 @@ void write_attract(VisitSheet& sheet) {
 void write_language(VisitSheet& sheet) {
     if (!has_keys(sheet.world)) {
         sheet.sentence(moves_by_itself(sheet.world)
-                           ? "Items come by themselves; your switch is Select."
+                           ? "Choices come by themselves; your switch is Select."
                            : "One switch moves on, the other is Select.");
         sheet.sentence("After the last come Repeat, Back and Help.");
     } else {
@@ -132,8 +132,7 @@ void reset_settings(VisitWork& work) {
     work.visitor.look = first.look;
     work.visitor.feel = first.feel;
     leave(work);
-    say_return(work,
-               words(work, "Sound, speech, letters and lines are as they were at the start."));
+    say_return(work, words(work, "Sound, speech, letters and lines are as at the start."));
 }
 
 struct VisitQuestion {
@@ -154,7 +153,7 @@ constexpr auto questions = std::to_array<VisitQuestion>(
           begin_visit(work);
       }},
      {VisitItem::reset, "Reset the settings?",
-      "Sound, speech, letters and lines will be as they were at the start.", reset_settings},
+      "Sound, speech, letters and lines will be as at the start.", reset_settings},
      {VisitItem::quit, "Shut the kiosk down?", "Nobody can use it until somebody starts it again.",
       [](VisitWork& work) { order(work, Quit{}); }}});
 

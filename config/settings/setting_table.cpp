@@ -49,7 +49,7 @@ constexpr auto all_rows = [] {
                    "How a line feels to whoever has chosen nothing else."),
         number_row("feel", "stiffness_N_per_m", &Settings::stiffness_N_per_m, {100.0, 700.0, 50.0},
                    "Firmness", "newtons per metre",
-                   "How firm lines are; a visitor’s choice is a share of it."),
+                   "How firm lines are; a visitor’s choice is a percentage of it."),
         number_row("feel", "friction", &Settings::friction, {0.0, 1.0, 0.1}, "Friction", "",
                    "How much the handle is held back along a line."),
         number_row("feel", "force_ceiling_N", &Settings::force_ceiling_N, {0.5, 3.0, 0.1},

@@ -56,7 +56,7 @@ std::string kind_of(LineOf of, bool is_closed) {
         case LineOf::figure:
             return "figure";
         case LineOf::ring:
-            return is_closed ? "outline of the main thing" : "part of the main thing’s outline";
+            return is_closed ? "outline of the main subject" : "part of the main subject’s outline";
         case LineOf::dashed:
             return "dashed line";
         case LineOf::dotted:

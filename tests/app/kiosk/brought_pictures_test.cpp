@@ -169,7 +169,7 @@ TEST(ThingHere, IsSaidWhetherItWasFoundOrNotAndThePictureStays) {
     EXPECT_EQ(world.kiosk().take_report(), "") << "that is an answer, no trouble";
 
     ASSERT_TRUE(visitor.choose("Find the thing under my hand")) << visitor.heard();
-    ASSERT_TRUE(visitor.wait_for("The main thing cannot be looked for now")) << visitor.heard();
+    ASSERT_TRUE(visitor.wait_for("The main subject cannot be looked for now")) << visitor.heard();
     EXPECT_NE(world.kiosk().take_report(), "");
 
     const int felt = world.servo().felt_count;

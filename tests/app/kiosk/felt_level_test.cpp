@@ -99,7 +99,7 @@ TEST(FeltLevel, IsEveryFixedLevelThatTheOperatorCanSet) {
         expect_wall_of_level(world, level);
         least_m = std::min(least_m, norm(world.kiosk().hand().p_WP));
         most_m = std::max(most_m, norm(world.kiosk().hand().p_WP));
-        const std::string told = "Fixed level, " + std::to_string(set) + " set, " +
+        const std::string told = std::to_string(set) + " set, " +
                                  std::to_string(static_cast<int>(level)) +
                                  " possible in this picture";
         const bool is_told = staff.heard().find(told) != std::string::npos;

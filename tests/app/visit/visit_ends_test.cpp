@@ -214,10 +214,9 @@ TEST(Visit, AResetKeepsLanguageAndPictureAndSaysWhatItDid) {
     }
     ASSERT_TRUE(house.choose("Screen"));
     ASSERT_TRUE(house.choose("Reset the settings"));
-    EXPECT_EQ(
-        house.last_said(),
-        "Reset the settings? Sound, speech, letters and lines will be as they were at the start. "
-        "No, 1 of 2");
+    EXPECT_EQ(house.last_said(),
+              "Reset the settings? Sound, speech, letters and lines will be as at the start. "
+              "No, 1 of 2");
     const std::size_t language = house.visit.visitor.sound.language = 2;
     house.press({KeyRole::down, KeyRole::select});
     const Visitor& visitor = house.visit.visitor;
@@ -229,7 +228,7 @@ TEST(Visit, AResetKeepsLanguageAndPictureAndSaysWhatItDid) {
     EXPECT_TRUE(visitor.felt);
     EXPECT_EQ(house.open(), VisitScreen::settings);
     EXPECT_TRUE(house.last_said().starts_with(house.languages[language].text(
-        "visit", "Sound, speech, letters and lines are as they were at the start.")));
+        "visit", "Sound, speech, letters and lines are as at the start.")));
 }
 
 TEST(Visit, NobodyQuitsTheKioskWithoutAQuestion) {

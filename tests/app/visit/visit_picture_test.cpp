@@ -339,7 +339,7 @@ TEST(Visit, WhatComesBeforeTheItemDoesNotMoveTheFocusFromIt) {
     empty.parts.clear();
     empty.outline_count = 0;
     house.apply(PictureReady{house.last<LoadPicture>()[0].request, empty});
-    EXPECT_NE(house.last_said().find("You feel this part of it: middle. Enlargement, "),
+    EXPECT_NE(house.last_said().find("You feel the middle of the picture. Enlargement, "),
               std::string::npos)
         << house.last_said();
 }
@@ -354,7 +354,7 @@ TEST(Visit, ZoomGoesAroundTheHandInThePlaceOfTheWholePicture) {
     ASSERT_TRUE(house.choose("Twice as large, around your hand"));
     EXPECT_EQ(house.last<LoadPicture>()[0].zoom, (ZoomWanted{2.0, {0.02, 0.01}}));
     house.wait(0.5);
-    EXPECT_TRUE(house.has_said("Now 2 times as large. You feel this part of it: right.", 0))
+    EXPECT_TRUE(house.has_said("Now 2 times as large. You feel the right of the picture.", 0))
         << house.last_said();
     house.apply(handle);
     ASSERT_TRUE(house.choose("Enlargement"));

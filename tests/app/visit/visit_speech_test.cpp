@@ -226,7 +226,7 @@ TEST(Visit, WithTwoSwitchesNobodyIsToldOfKeysThatAreNotThere) {
     house.settings.two_switches = SwitchUse::move_and_select;
     house.press(KeyRole::select);
     EXPECT_TRUE(house.last_said().starts_with(
-        "Pictures to feel. One switch moves on, the other is Select. After the last item come"));
+        "Pictures to feel. One switch moves on, the other is Select. After the last come"));
     house.wait(3.0);
     EXPECT_TRUE(house.has_said("weiterschalten", 0)) << "to each in its own language";
     house.press({KeyRole::select, KeyRole::help});
@@ -246,7 +246,7 @@ TEST(Visit, WithOneSwitchNobodyIsToldToMoveOn) {
     FakeHouse house;
     house.settings.two_switches = SwitchUse::by_itself;
     house.press(KeyRole::select);
-    EXPECT_TRUE(house.has_said("Items come by themselves; your switch is Select.", 0));
+    EXPECT_TRUE(house.has_said("Choices come by themselves; your switch is Select.", 0));
     const std::size_t before = house.transcript.size();
     house.wait(3.0);
     EXPECT_FALSE(house.has_said("Deutsch:", before)) << "the list itself comes to it";

@@ -67,7 +67,7 @@ TEST(FindingThings, TheThingsOfAPageAreItsViewsTheLargestFirst) {
     ASSERT_EQ(map->map.outlines.size(), 1U);
     const Outline& ring = map->map.outlines.front();
     EXPECT_TRUE(ring.is_closed);
-    EXPECT_NE(ring.label.find("main thing"), std::string::npos) << ring.label;
+    EXPECT_NE(ring.label.find("main subject"), std::string::npos) << ring.label;
     for (const Position& p : ring.points) EXPECT_NEAR(norm(p), 0.0368, 0.0012);
 }
 
