@@ -196,7 +196,7 @@ TEST(FigureLines, TheThingComesFirstWithItsLimbsAtEveryDetail) {
         SCOPED_TRACE(detail);
         const auto trace = traced(detail, true);
         ASSERT_TRUE(trace) << trace.error().line;
-        EXPECT_NE(trace->map.outlines.front().label.find("main thing"), std::string::npos)
+        EXPECT_NE(trace->map.outlines.front().label.find("main subject"), std::string::npos)
             << trace->map.outlines.front().label;
         EXPECT_LT(off_mm(trace->map, animal(), 0.9), 0.7);
         EXPECT_GE(legs_in(trace->map), 4);
@@ -243,7 +243,7 @@ TEST(FigureLines, AThingThatTheFrameCutsIsOpenThere) {
             {.area = {}, .detail = detail, .picture_class = PictureClass::photo}, loose(mask));
         ASSERT_TRUE(trace) << trace.error().line;
         const Outline& thing = trace->map.outlines.front();
-        EXPECT_NE(thing.label.find("main thing"), std::string::npos) << thing.label;
+        EXPECT_NE(thing.label.find("main subject"), std::string::npos) << thing.label;
         EXPECT_FALSE(thing.is_closed);
         for (const Outline& outline : trace->map.outlines)
             for (std::size_t i = 1; i < outline.points.size(); ++i)
