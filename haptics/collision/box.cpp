@@ -97,6 +97,68 @@ unsigned gathered(Masks bits) {
     return static_cast<unsigned>(whole[0]);
 }
 
+/// Four boxes in the frames of their segments.
+struct Four {
+    Points axis;
+    Extents extents;
+};
+
+constexpr Extents bare_segments{{0, 0, 0, 0}, {1, 1, 1, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}};
+
+Four four_of(const Fan& fan) {
+    const Pair p1 = pair(fan.points[1]);
+    const Pair p2 = pair(fan.points[2]);
+    const Pair p3 = pair(fan.points[3]);
+    return {rounded(p1 - pair(fan.points[0]), p2 - p1, p3 - p2, pair(fan.points[4]) - p3),
+            fan.extents != nullptr ? unpacked(fan.extents) : bare_segments};
+}
+
+/// Returns the last 4 - by of `four` and the first of `next`.
+template <int by>
+Floats moved_on(Floats four, Floats next) {
+    return __builtin_shufflevector(four, next, by, by + 1, by + 2, by + 3);
+}
+
+template <int by>
+Points moved_on(const Points& four, const Points& next) {
+    return {moved_on<by>(four.x, next.x), moved_on<by>(four.y, next.y)};
+}
+
+template <int by>
+Four moved_on(const Four& four, const Four& next) {
+    const Extents& e = four.extents;
+    const Extents& f = next.extents;
+    return {moved_on<by>(four.axis, next.axis),
+            {moved_on<by>(e.along_low, f.along_low), moved_on<by>(e.along_high, f.along_high),
+             moved_on<by>(e.across_low, f.across_low),
+             moved_on<by>(e.across_high, f.across_high)}};
+}
+
+Floats length_bounds(const Points& v) {
+    return absolute(v.x) + absolute(v.y);
+}
+
+/// Returns the lanes where `later` begins more than `reach` beyond the end of `earlier`, whose
+/// origin lies `by` behind, over a way of length `way`.
+Masks begins_beyond(const Four& earlier, const Four& later, const Points& by, Floats way,
+                    float reach) {
+    const Points& a = earlier.axis;
+    const Points& b = later.axis;
+    const Extents& e = later.extents;
+    const Floats square = a.x * a.x + a.y * a.y;
+    const Floats c = a.x * b.x + a.y * b.y;
+    const Floats d = a.x * b.y - a.y * b.x;
+    const Floats begin = a.x * by.x + a.y * by.y + smaller(e.along_low * c, e.along_high * c) -
+                         larger(e.across_low * d, e.across_high * d);
+    const Floats end = earlier.extents.along_high * square;
+    const Floats held = larger(-e.along_low, e.along_high) + larger(-e.across_low, e.across_high);
+    const Floats size = way + held * length_bounds(b) +
+                        absolute(earlier.extents.along_high) * length_bounds(a) + reach;
+    // An axis too short for its square says nothing.
+    return (begin - end > (reach + 4e-6F * size) * length_bounds(a)) & (square > 1e-29F) &
+           (b.x * b.x + b.y * b.y > 1e-29F);
+}
+
 float least(Floats a) {
     const Floats halves = smaller(a, __builtin_shufflevector(a, a, 2, 3, 0, 1));
     return smaller(halves, __builtin_shufflevector(halves, halves, 1, 0, 3, 2))[0];
@@ -127,8 +189,7 @@ bool overlap(const Box& a, const Box& b, double reach_m) {
 
 Sifted sift(const Fan& fan, const Way& way) {
     static_assert(sizeof(PackedExtents) == 8);
-    constexpr Extents segments{{0, 0, 0, 0}, {1, 1, 1, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}};
-    const Extents e = fan.extents != nullptr ? unpacked(fan.extents) : segments;
+    const Extents e = fan.extents != nullptr ? unpacked(fan.extents) : bare_segments;
     const Pair from = pair(way.from);
     const Pair p0 = pair(fan.points[0]);
     const Pair p1 = pair(fan.points[1]);
@@ -174,6 +235,22 @@ Sifted sift(const Fan& fan, const Way& way) {
     const Floats entry = is_known ? larger(along, across) : Floats{};
     std::memcpy(out.key.data(), &entry, sizeof entry);
     return out;
+}
+
+Apart sift_ahead(const Fan& four, const Fan& next, double reach_m) {
+    const Four near = four_of(four);
+    const Four far = four_of(next);
+    const auto reach = static_cast<float>(reach_m);
+    const Points second = moved_on<1>(near.axis, far.axis);
+    const Four two = moved_on<2>(near, far);
+    const Points by_two{near.axis.x + second.x, near.axis.y + second.y};
+    const Points by_three{by_two.x + two.axis.x, by_two.y + two.axis.y};
+    const Floats way = length_bounds(near.axis) + length_bounds(second);
+    constexpr Masks bits{1, 2, 4, 8};
+    return {gathered(begins_beyond(near, two, by_two, way, reach) & bits),
+            gathered(begins_beyond(near, moved_on<3>(near, far), by_three,
+                                   way + length_bounds(two.axis), reach) &
+                     bits)};
 }
 
 }  // namespace touchline

@@ -1,5 +1,6 @@
 #include "haptics/collision/scene.h"
 
+#include "haptics/collision/collision_builder.h"
 #include "haptics/collision/crowding.h"
 
 #include <algorithm>
@@ -115,8 +116,8 @@ Result<Scene> build_scene(const TactileMap& map, const CurveOptions& options, do
     for (int build = 1;; ++build) {
         Result<CurveSet> curves = CurveSet::build(map, wanted);
         if (!curves) return tl::unexpected(std::move(curves.error()));
-        CollisionTree tree = CollisionTree::build(*curves, radius_m);
-        Meetings meetings = Crowding(tree, *curves, contact_skin_m).find_meetings();
+        CollisionTreeBuilder builder(*curves);
+        Meetings meetings = builder.find_meetings();
         const bool is_complete = meetings.is_complete;
         const SafeLevels safe = find_safe_levels(*curves, std::move(meetings));
         const auto pins = build < most_builds ? pins_for(*curves, safe) : std::vector<PinPlace>{};
@@ -127,7 +128,8 @@ Result<Scene> build_scene(const TactileMap& map, const CurveOptions& options, do
         // Which nodes are alone depends on the levels that exist.
         const bool is_limited = !safe.unsafe.empty() || !is_complete;
         curves->limit_levels(safe.coarsest);
-        if (is_limited) tree = CollisionTree::build(*curves, radius_m);
+        if (is_limited) builder.hang();
+        CollisionTree tree = std::move(builder).finish(radius_m);
         return scene_of(std::move(*curves), std::move(tree), map);
     }
 }

@@ -346,9 +346,9 @@ class CurveSetBuilder {
 
     void measure_spacing() {
         std::vector<double> squares;
+        squares.reserve(set_.finest_count_);
         for (std::size_t i = 0; i < set_.pieces_.size(); ++i) {
             const auto points = set_.points(static_cast<int>(i), 0);
-            squares.reserve(squares.size() + points.size());
             for (std::size_t j = 1; j < points.size(); ++j) {
                 squares.push_back(dot(points[j] - points[j - 1], points[j] - points[j - 1]));
             }
@@ -359,8 +359,7 @@ class CurveSetBuilder {
             const bool is_last_of_outline = i + 1 == set_.pieces_.size() ||
                                             set_.pieces_[i + 1].outline != set_.pieces_[i].outline;
             if (!is_last_of_outline) continue;
-            set_.finest_spacing_m_ =
-                std::min(set_.finest_spacing_m_, std::sqrt(median(std::move(squares))));
+            set_.finest_spacing_m_ = std::min(set_.finest_spacing_m_, std::sqrt(median(squares)));
             squares.clear();
         }
     }
