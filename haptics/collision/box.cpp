@@ -138,25 +138,69 @@ Floats length_bounds(const Points& v) {
     return absolute(v.x) + absolute(v.y);
 }
 
-/// Returns the lanes where `later` begins more than `reach` beyond the end of `earlier`, whose
-/// origin lies `by` behind, over a way of length `way`.
-Masks begins_beyond(const Four& earlier, const Four& later, const Points& by, Floats way,
-                    float reach) {
-    const Points& a = earlier.axis;
-    const Points& b = later.axis;
-    const Extents& e = later.extents;
+/// Returns at least how far the boxes go from their origins, in lengths of their axes.
+Floats reaches(const Extents& e) {
+    return larger(absolute(e.along_low), absolute(e.along_high)) +
+           larger(absolute(e.across_low), absolute(e.across_high));
+}
+
+/// Returns the lanes where `far`, whose origin lies `by` away over a way of length `way`, surely
+/// begins more than `reach` beyond the end of `near`. Tells most neighbours apart.
+Masks begins_beyond(const Four& near, const Four& far, const Points& by, Floats way, float reach) {
+    const Points& a = near.axis;
+    const Points& b = far.axis;
+    const Extents& e = far.extents;
     const Floats square = a.x * a.x + a.y * a.y;
     const Floats c = a.x * b.x + a.y * b.y;
     const Floats d = a.x * b.y - a.y * b.x;
     const Floats begin = a.x * by.x + a.y * by.y + smaller(e.along_low * c, e.along_high * c) -
                          larger(e.across_low * d, e.across_high * d);
-    const Floats end = earlier.extents.along_high * square;
-    const Floats held = larger(-e.along_low, e.along_high) + larger(-e.across_low, e.across_high);
-    const Floats size = way + held * length_bounds(b) +
-                        absolute(earlier.extents.along_high) * length_bounds(a) + reach;
+    const Floats end = near.extents.along_high;
+    const Floats size = way + absolute(end) * length_bounds(a) + reaches(e) * length_bounds(b);
+    return (begin - end * square > (reach + 4e-6F * size) * length_bounds(a)) &
+           (square > 1e-29F) & (b.x * b.x + b.y * b.y > 1e-29F);
+}
+
+/// The same for more than `reach` outside any one side of `box`: as separates().
+Masks lies_outside(const Four& box, const Four& other, const Points& by, Floats way, float reach) {
+    const Points& a = box.axis;
+    const Points& b = other.axis;
+    const Extents& own = box.extents;
+    const Extents& e = other.extents;
+    const Floats square = a.x * a.x + a.y * a.y;
+    const Floats s = a.x * by.x + a.y * by.y;
+    const Floats n = a.x * by.y - a.y * by.x;
+    const Floats c = a.x * b.x + a.y * b.y;
+    const Floats d = a.x * b.y - a.y * b.x;
+    const Floats uc[] = {e.along_low * c, e.along_high * c};
+    const Floats ud[] = {e.along_low * d, e.along_high * d};
+    const Floats vc[] = {e.across_low * c, e.across_high * c};
+    const Floats vd[] = {e.across_low * d, e.across_high * d};
+    const Floats beyond =
+        s + smaller(uc[0], uc[1]) - larger(vd[0], vd[1]) - own.along_high * square;
+    const Floats before = own.along_low * square - s - larger(uc[0], uc[1]) + smaller(vd[0], vd[1]);
+    const Floats left =
+        n + smaller(ud[0], ud[1]) + smaller(vc[0], vc[1]) - own.across_high * square;
+    const Floats right =
+        own.across_low * square - n - larger(ud[0], ud[1]) - larger(vc[0], vc[1]);
+    const Floats gap = larger(larger(beyond, before), larger(left, right));
+    const Floats size = way + reaches(own) * length_bounds(a) + reaches(e) * length_bounds(b);
     // An axis too short for its square says nothing.
-    return (begin - end > (reach + 4e-6F * size) * length_bounds(a)) & (square > 1e-29F) &
+    return (gap > (reach + 4e-6F * size) * length_bounds(a)) & (square > 1e-29F) &
            (b.x * b.x + b.y * b.y > 1e-29F);
+}
+
+/// Returns those of the wanted lanes where overlap() of the two is surely false.
+unsigned apart(const Four& near, const Four& far, const Points& by, Floats way, float reach,
+               unsigned wanted) {
+    constexpr Masks bits{1, 2, 4, 8};
+    const unsigned found = gathered(begins_beyond(near, far, by, way, reach) & bits);
+    if ((found & wanted) == wanted) return wanted;
+    const Points back{-by.x, -by.y};
+    return gathered((lies_outside(near, far, by, way, reach) |
+                     lies_outside(far, near, back, way, reach)) &
+                    bits) &
+           wanted;
 }
 
 float least(Floats a) {
@@ -246,11 +290,9 @@ Apart sift_ahead(const Fan& four, const Fan& next, double reach_m) {
     const Points by_two{near.axis.x + second.x, near.axis.y + second.y};
     const Points by_three{by_two.x + two.axis.x, by_two.y + two.axis.y};
     const Floats way = length_bounds(near.axis) + length_bounds(second);
-    constexpr Masks bits{1, 2, 4, 8};
-    return {gathered(begins_beyond(near, two, by_two, way, reach) & bits),
-            gathered(begins_beyond(near, moved_on<3>(near, far), by_three,
-                                   way + length_bounds(two.axis), reach) &
-                     bits)};
+    return {apart(near, two, by_two, way, reach, 0b1111U),
+            apart(near, moved_on<3>(near, far), by_three, way + length_bounds(two.axis), reach,
+                  0b0101U)};
 }
 
 }  // namespace touchline

@@ -204,14 +204,14 @@ struct Sifted {
 /// reach is widened by 4e-6 of the distance, which is more than all rounding.
 [[nodiscard]] Sifted sift(const Fan& fan, const Way& way);
 
-/// Which boxes of four neighbouring nodes surely lie apart from those further along the outline.
+/// Which boxes of four neighbouring nodes are surely apart from those further along the outline.
 struct Apart {
     unsigned by_two = 0;    // bit k: node k from node k + 2
-    unsigned by_three = 0;  // bit k: node k from node k + 3
+    unsigned by_three = 0;  // bit k, 0 or 2: node k from node k + 3
 };
 
-/// A bit says that overlap() is false, since the later box begins beyond the end of the earlier.
-/// `next` follows `four`; both have Fan::width nodes. Conservative as sift().
+/// A bit says that overlap() is false. `next` follows `four`; both have Fan::width nodes.
+/// Conservative as sift().
 [[nodiscard]] Apart sift_ahead(const Fan& four, const Fan& next, double reach_m);
 
 }  // namespace touchline

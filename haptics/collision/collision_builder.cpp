@@ -20,6 +20,14 @@ float outward_high(double x) {
 
 using Pair = double __attribute__((vector_size(16)));
 
+Pair smaller_pair(Pair a, Pair b) {
+    return a < b ? a : b;
+}
+
+Pair larger_pair(Pair a, Pair b) {
+    return b < a ? a : b;
+}
+
 /// Extents along and across an axis, in axis lengths, that grow to hold points. First along, then
 /// across: two at once.
 class Growing {
@@ -47,12 +55,10 @@ class Growing {
         const Pair along_other = e.along_high() * axis;
         const Pair across_one = e.across_low() * axis;
         const Pair across_other = e.across_high() * axis;
-        const Pair across_low = across_one < across_other ? across_one : across_other;
-        const Pair across_high = across_one < across_other ? across_other : across_one;
-        hold(at + (along_one < along_other ? along_one : along_other) +
-                 Pair{-across_high[1], across_low[0]},
-             at + (along_one < along_other ? along_other : along_one) +
-                 Pair{-across_low[1], across_high[0]});
+        const Pair across_low = smaller_pair(across_one, across_other);
+        const Pair across_high = larger_pair(across_one, across_other);
+        hold(at + smaller_pair(along_one, along_other) + Pair{-across_high[1], across_low[0]},
+             at + larger_pair(along_one, along_other) + Pair{-across_low[1], across_high[0]});
     }
 
     [[nodiscard]] PackedExtents packed() const {
@@ -65,8 +71,8 @@ class Growing {
     }
 
     void hold(Pair low, Pair high) {
-        low_ = low < low_ ? low : low_;
-        high_ = high_ < high ? high : high_;
+        low_ = smaller_pair(low, low_);
+        high_ = larger_pair(high, high_);
     }
 
     Pair origin_;

@@ -123,7 +123,7 @@ Meetings Crowding::find_meetings() {
 void Crowding::walk() {
     if (!tree_.bounds_.empty()) within_hierarchy(0);
     for (int piece = 0; piece < curves_.piece_count(); ++piece) {
-        for (int level = curves_.piece(piece).coarsest - 1; level >= 0; --level) {
+        for (int level = curves_.piece(piece).coarsest - 1; level >= finest(); --level) {
             along_level(piece, level);
         }
     }
@@ -223,7 +223,7 @@ void Crowding::compare(SegmentRef a, SegmentRef b, int level) {
 
 /// Compares the ends of two pieces that share a pin, at every level.
 void Crowding::between_neighbours(SegmentRef a, SegmentRef b, int level) {
-    if (level == 0) return;
+    if (level <= finest()) return;
     const Parts of_a = children(a, level);
     const Parts of_b = children(b, level);
     for (int i = 0; i < of_a.count; ++i) {
@@ -240,19 +240,19 @@ void Crowding::between_strangers(SegmentRef a, SegmentRef b, int level) {
 /// For two nodes that are not neighbours and whose boxes meet: neither is alone, and their children
 /// may meet.
 void Crowding::crowd(SegmentRef a, SegmentRef b, int level) {
-    const bool is_pair_wanted = alone_.empty();
-    if (!is_pair_wanted) {
+    if (is_pair_wanted()) {
+        if (level > 0) meetings_.push_back({level, {{a, b}}});
+    } else {
         mark(a, level);
         mark(b, level);
     }
-    if (level == 0) return;
-    if (is_pair_wanted) meetings_.push_back({level, {{a, b}}});
+    if (level <= finest()) return;
     const Parts of_a = children(a, level);
     const Parts of_b = children(b, level);
     for (int i = 0; i < of_a.count; ++i) {
         for (int j = 0; j < of_b.count; ++j) between_strangers(of_a.at[i], of_b.at[j], level - 1);
     }
-    if (is_pair_wanted) return;
+    if (is_pair_wanted()) return;
     settle(a, level);
     settle(b, level);
 }
@@ -293,7 +293,7 @@ Box Crowding::box_at(SegmentRef a, int level) const {
 
 /// Returns true if nothing is left to be found by comparing the two.
 bool Crowding::are_settled(SegmentRef a, SegmentRef b, int level) const {
-    return !alone_.empty() && settled_[node_at(a, level)] && settled_[node_at(b, level)];
+    return !is_pair_wanted() && settled_[node_at(a, level)] && settled_[node_at(b, level)];
 }
 
 void Crowding::mark(SegmentRef a, int level) {

@@ -82,6 +82,11 @@ class Crowding {
     void along_level(int piece, int level);
     void look_ahead(int piece, int level, int j, int ahead);
 
+    [[nodiscard]] bool is_pair_wanted() const { return alone_.empty(); }
+
+    /// The finest level that is looked at.
+    [[nodiscard]] int finest() const { return is_pair_wanted() ? 1 : 0; }
+
     [[nodiscard]] int level_of(SegmentRef a, int level) const;
     [[nodiscard]] Parts children(SegmentRef a, int level) const;
     [[nodiscard]] bool are_neighbours(SegmentRef a, SegmentRef b, int level) const;

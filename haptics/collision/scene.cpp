@@ -38,7 +38,7 @@ std::vector<LabelStop> stops_of(const CurveSet& curves, const CollisionTree& tre
 double length_m(std::span<const Position> points, int first, int last) {
     double sum_m = 0.0;
     for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i) {
-        sum_m += norm(points[(i + 1) % points.size()] - points[i]);
+        sum_m += norm(points[i + 1 == points.size() ? 0 : i + 1] - points[i]);
     }
     return sum_m;
 }

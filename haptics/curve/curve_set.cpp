@@ -180,17 +180,6 @@ void cut(const Outline& outline, int index, const std::vector<std::size_t>& pins
     }
 }
 
-/// Makes the vertex nearest to `place` a pin; `pins` ascend.
-void add_pin(const Outline& outline, Position place, std::vector<std::size_t>& pins) {
-    const auto& points = outline.points;
-    const auto nearest =
-        std::ranges::min_element(points, {}, [&](Position p) { return dot(p - place, p - place); });
-    if (nearest == points.end()) return;
-    const auto vertex = static_cast<std::size_t>(nearest - points.begin());
-    const auto at = std::ranges::lower_bound(pins, vertex);
-    if (at == pins.end() || *at != vertex) pins.insert(at, vertex);
-}
-
 }  // namespace
 
 /// Cuts the outlines at pins, places the level-0 points and transforms.
@@ -205,10 +194,7 @@ class CurveSetBuilder {
         rule.noise_m = options_.denoise_m;
         const auto corners = find_pins(outlines_, rule);
         auto pins = corners;
-        for (const PinPlace& pin : options_.pins) {
-            add_pin(outlines_[static_cast<std::size_t>(pin.outline)], pin.place,
-                    pins[static_cast<std::size_t>(pin.outline)]);
-        }
+        add_pins(outlines_, options_.pins, pins);
         for (std::size_t i = 0; i < outlines_.size(); ++i) {
             cut(outlines_[i], static_cast<int>(i), pins[i], corners[i], stretches_);
         }

@@ -40,6 +40,10 @@ struct PinPlace {
     Position place;
 };
 
+/// Adds the wanted pins to those of find_pins(), which stay ascending. O(N + pins N / 64).
+void add_pins(const std::vector<Outline>& outlines, std::span<const PinPlace> wanted,
+              std::vector<std::vector<std::size_t>>& pins);
+
 struct CurveOptions {
     /// false: keeps every vertex of the map at level 0, and splits edges longer than the spacing
     /// into equal collinear parts. true: resamples each piece by arc length.
