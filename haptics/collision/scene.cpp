@@ -112,9 +112,11 @@ std::vector<Leg> legs_of(const CurveSet& curves, const CollisionTree& tree,
 }
 
 Result<Scene> build_scene(const TactileMap& map, const CurveOptions& options, double radius_m) {
-    CurveOptions wanted = options;
+    const Result<CurveSource> source = CurveSource::read(map, options);
+    if (!source) return tl::unexpected(source.error());
+    std::vector<PinPlace> wanted = options.pins;
     for (int build = 1;; ++build) {
-        Result<CurveSet> curves = CurveSet::build(map, wanted);
+        Result<CurveSet> curves = source->build(wanted);
         if (!curves) return tl::unexpected(std::move(curves.error()));
         CollisionTreeBuilder builder(*curves);
         Meetings meetings = builder.find_meetings();
@@ -122,7 +124,7 @@ Result<Scene> build_scene(const TactileMap& map, const CurveOptions& options, do
         const SafeLevels safe = find_safe_levels(*curves, std::move(meetings));
         const auto pins = build < most_builds ? pins_for(*curves, safe) : std::vector<PinPlace>{};
         if (!pins.empty()) {
-            wanted.pins.insert(wanted.pins.end(), pins.begin(), pins.end());
+            wanted.insert(wanted.end(), pins.begin(), pins.end());
             continue;
         }
         // Which nodes are alone depends on the levels that exist.

@@ -189,12 +189,11 @@ class CurveSetBuilder {
     CurveSetBuilder(const std::vector<Outline>& outlines, const CurveOptions& options)
         : outlines_(outlines), options_(options) {}
 
-    Result<CurveSet> build() {
-        PinRule rule;
-        rule.noise_m = options_.denoise_m;
-        const auto corners = find_pins(outlines_, rule);
+    /// `corners` are the pins found in the outlines themselves.
+    Result<CurveSet> build(const std::vector<std::vector<std::size_t>>& corners,
+                           std::span<const PinPlace> wanted) {
         auto pins = corners;
-        add_pins(outlines_, options_.pins, pins);
+        add_pins(outlines_, wanted, pins);
         for (std::size_t i = 0; i < outlines_.size(); ++i) {
             cut(outlines_[i], static_cast<int>(i), pins[i], corners[i], stretches_);
         }
@@ -409,7 +408,7 @@ class CurveSetBuilder {
     }
 
     const std::vector<Outline>& outlines_;
-    CurveOptions options_;
+    const CurveOptions& options_;
     std::vector<OutlineStretch> stretches_;
     SpacingChoice spacing_;
     std::vector<CurveShape> shapes_;             // per stretch
@@ -418,12 +417,27 @@ class CurveSetBuilder {
     CurveSet set_;
 };
 
-Result<CurveSet> CurveSet::build(const TactileMap& map, const CurveOptions& options) {
+CurveSource::CurveSource(const TactileMap& map, const CurveOptions& options)
+    : map_(&map), options_(options) {
+    if (!std::ranges::all_of(map.outlines, is_clean)) repaired_ = cleaned(map.outlines);
+    PinRule rule;
+    rule.noise_m = options.denoise_m;
+    corners_ = find_pins(outlines(), rule);
+}
+
+Result<CurveSource> CurveSource::read(const TactileMap& map, const CurveOptions& options) {
     if (const auto checked = check(map.outlines); !checked) return tl::unexpected(checked.error());
-    const auto& outlines = map.outlines;
-    if (std::ranges::all_of(outlines, is_clean)) return CurveSetBuilder(outlines, options).build();
-    const std::vector<Outline> repaired = cleaned(outlines);
-    return CurveSetBuilder(repaired, options).build();
+    return CurveSource(map, options);
+}
+
+Result<CurveSet> CurveSource::build(std::span<const PinPlace> pins) const {
+    return CurveSetBuilder(outlines(), options_).build(corners_, pins);
+}
+
+Result<CurveSet> CurveSet::build(const TactileMap& map, const CurveOptions& options) {
+    const auto source = CurveSource::read(map, options);
+    if (!source) return tl::unexpected(source.error());
+    return source->build(options.pins);
 }
 
 }  // namespace touchline

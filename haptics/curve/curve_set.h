@@ -234,6 +234,30 @@ class CurveSet {
     friend class CurveSetBuilder;
 };
 
+/// A map made ready for curves: checked, without repeated points, its own pins found; for a scene
+/// that is built again with more pins. The map must outlive it.
+class CurveSource {
+  public:
+    /// Fails as CurveSet::build().
+    [[nodiscard]] static Result<CurveSource> read(const TactileMap& map,
+                                                  const CurveOptions& options);
+
+    /// Builds as CurveSet::build(), with these pins besides the map's own.
+    [[nodiscard]] Result<CurveSet> build(std::span<const PinPlace> pins) const;
+
+  private:
+    CurveSource(const TactileMap& map, const CurveOptions& options);
+
+    [[nodiscard]] const std::vector<Outline>& outlines() const {
+        return repaired_.empty() ? map_->outlines : repaired_;
+    }
+
+    const TactileMap* map_;
+    CurveOptions options_;
+    std::vector<Outline> repaired_;  // empty where the map's own have no repeated points
+    std::vector<std::vector<std::size_t>> corners_;
+};
+
 // How far a level lies from level 0, and whether a finger can tell.
 
 struct LevelError {
