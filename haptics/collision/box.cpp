@@ -105,7 +105,7 @@ struct Four {
 
 constexpr Extents bare_segments{{0, 0, 0, 0}, {1, 1, 1, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}};
 
-Four four_of(const Fan& fan) {
+[[gnu::always_inline]] inline Four four_of(const Fan& fan) {
     const Pair p1 = pair(fan.points[1]);
     const Pair p2 = pair(fan.points[2]);
     const Pair p3 = pair(fan.points[3]);
@@ -139,14 +139,14 @@ Floats length_bounds(const Points& v) {
 }
 
 /// Returns at least how far the boxes go from their origins, in lengths of their axes.
-Floats reaches(const Extents& e) {
+[[gnu::always_inline]] inline Floats reaches(const Extents& e) {
     return larger(absolute(e.along_low), absolute(e.along_high)) +
            larger(absolute(e.across_low), absolute(e.across_high));
 }
 
 /// Returns the lanes where `far`, whose origin lies `by` away over a way of length `way`, surely
 /// begins more than `reach` beyond the end of `near`. Tells most neighbours apart.
-Masks begins_beyond(const Four& near, const Four& far, const Points& by, Floats way, float reach) {
+[[gnu::always_inline]] inline Masks begins_beyond(const Four& near, const Four& far, const Points& by, Floats way, float reach) {
     const Points& a = near.axis;
     const Points& b = far.axis;
     const Extents& e = far.extents;
@@ -191,7 +191,7 @@ Masks lies_outside(const Four& box, const Four& other, const Points& by, Floats 
 }
 
 /// Returns those of the wanted lanes where overlap() of the two is surely false.
-unsigned apart(const Four& near, const Four& far, const Points& by, Floats way, float reach,
+[[gnu::always_inline]] inline unsigned apart(const Four& near, const Four& far, const Points& by, Floats way, float reach,
                unsigned wanted) {
     constexpr Masks bits{1, 2, 4, 8};
     const unsigned found = gathered(begins_beyond(near, far, by, way, reach) & bits);

@@ -157,10 +157,10 @@ class PackedExtents {
     static std::uint16_t above(double x) {
         constexpr std::uint16_t largest = 0x7f7f;
         if (!(x <= static_cast<double>(std::numeric_limits<float>::max()))) return largest;
-        auto half =
+        // Cutting a float off and rounding to one lose less than a step together.
+        const auto half =
             static_cast<std::uint16_t>(std::bit_cast<std::uint32_t>(static_cast<float>(x)) >> 16);
-        while (value(half) < x) half = next_up(half);
-        return half;
+        return value(half) < x ? next_up(half) : half;
     }
 
     /// Rounds away from zero for positive numbers, towards it for negative ones.

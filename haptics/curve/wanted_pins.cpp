@@ -24,7 +24,7 @@ class NearestVertex {
     [[nodiscard]] std::size_t near(Position place) const {
         std::size_t nearest = 0;
         double least_m2 = INFINITY;
-        for (std::size_t i = 0; i < bounds_.size(); ++i) {
+        for (std::size_t i = 0; i < bounds_.size() && least_m2 > 0.0; ++i) {
             const auto& [low, high] = bounds_[i];
             const Position out{std::max({low.x - place.x, place.x - high.x, 0.0}),
                                std::max({low.y - place.y, place.y - high.y, 0.0})};
