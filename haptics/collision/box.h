@@ -156,11 +156,24 @@ class PackedExtents {
     /// Returns the smallest number of this format that is not below x.
     static std::uint16_t above(double x) {
         constexpr std::uint16_t largest = 0x7f7f;
+        if (x >= least_regular && x <= value(largest)) return cut_above(x);
         if (!(x <= static_cast<double>(std::numeric_limits<float>::max()))) return largest;
-        // Cutting a float off and rounding to one lose less than a step together.
-        const auto half =
+        auto half =
             static_cast<std::uint16_t>(std::bit_cast<std::uint32_t>(static_cast<float>(x)) >> 16);
-        return value(half) < x ? next_up(half) : half;
+        while (value(half) < x) half = next_up(half);
+        return half;
+    }
+
+    static constexpr double least_regular = 0x1p-126;
+
+    /// The same for regular numbers of this format: the upper bits of the double, with another
+    /// bias of the exponent.
+    static std::uint16_t cut_above(double x) {
+        constexpr int cut = 52 - 7;
+        constexpr std::uint64_t below = (std::uint64_t{1} << cut) - 1;
+        constexpr std::uint64_t bias = (1023U - 127U) << 7U;
+        return static_cast<std::uint16_t>(((std::bit_cast<std::uint64_t>(x) + below) >> cut) -
+                                          bias);
     }
 
     /// Rounds away from zero for positive numbers, towards it for negative ones.

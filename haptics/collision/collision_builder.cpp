@@ -129,9 +129,17 @@ void CollisionTreeBuilder::hang() {
         add_stretches(piece, curves_.piece(piece).coarsest, tree_.roots_);
     }
     if (tree_.roots_.empty()) return;
-    tree_.bounds_.reserve(2 * tree_.roots_.size());
+    std::vector<Root> roots;
+    roots.reserve(tree_.roots_.size());
+    for (const Stretch& stretch : tree_.roots_) {
+        const Segment s = curves_.rendered_segment(stretch.piece, stretch.level,
+                                                   stretch.first + stretch.count / 2);
+        roots.push_back({stretch, upright_shadow(stretch), s.a + s.b});
+    }
+    tree_.bounds_.reserve(2 * roots.size());
     tree_.bounds_.emplace_back();
-    bound_roots(0, 0, tree_.roots_.size());
+    bound_roots(0, roots, 0);
+    std::ranges::transform(roots, tree_.roots_.begin(), &Root::stretch);
 }
 
 Meetings CollisionTreeBuilder::find_meetings() const {
@@ -189,38 +197,30 @@ void CollisionTreeBuilder::add_stretches(int piece, int level,
     }
 }
 
-/// Builds node `at` over roots [first, last), halved at the median of the longer side.
-void CollisionTreeBuilder::bound_roots(std::size_t at, std::size_t first, std::size_t last) {
-    CollisionTree::Bound bound = bound_of(first, last);
-    if (last - first == 1) {
+/// Builds node `at` over roots, of which `first` come before, halved at the median of the longer
+/// side.
+void CollisionTreeBuilder::bound_roots(std::size_t at, std::span<Root> roots, std::size_t first) {
+    Shadow all = no_shadow;
+    for (const Root& root : roots) all.hold(root.shadow);
+    CollisionTree::Bound bound{outward_low(all.along_low), outward_high(all.along_high),
+                               outward_low(all.across_low), outward_high(all.across_high), 0};
+    if (roots.size() == 1) {
         bound.left = -static_cast<std::int32_t>(first) - 1;
         tree_.bounds_[at] = bound;
         return;
     }
     const bool is_wide = bound.x_high - bound.x_low >= bound.y_high - bound.y_low;
-    const std::size_t middle = (first + last) / 2;
-    const auto begin = tree_.roots_.begin();
-    const auto place = [&](const Stretch& roots) {
-        const Segment s =
-            curves_.rendered_segment(roots.piece, roots.level, roots.first + roots.count / 2);
-        return is_wide ? s.a.x + s.b.x : s.a.y + s.b.y;
+    const std::size_t middle = (2 * first + roots.size()) / 2 - first;
+    const auto place = [is_wide](const Root& root) {
+        return is_wide ? root.middle.x : root.middle.y;
     };
-    std::ranges::nth_element(begin + static_cast<std::ptrdiff_t>(first),
-                             begin + static_cast<std::ptrdiff_t>(middle),
-                             begin + static_cast<std::ptrdiff_t>(last), {}, place);
+    std::ranges::nth_element(roots, roots.begin() + static_cast<std::ptrdiff_t>(middle), {}, place);
     const std::size_t left = tree_.bounds_.size();
     bound.left = static_cast<std::int32_t>(left);
     tree_.bounds_[at] = bound;
     tree_.bounds_.resize(left + 2);
-    bound_roots(left, first, middle);
-    bound_roots(left + 1, middle, last);
-}
-
-CollisionTree::Bound CollisionTreeBuilder::bound_of(std::size_t first, std::size_t last) const {
-    Shadow all = no_shadow;
-    for (std::size_t i = first; i < last; ++i) all.hold(upright_shadow(tree_.roots_[i]));
-    return {outward_low(all.along_low), outward_high(all.along_high),
-            outward_low(all.across_low), outward_high(all.across_high), 0};
+    bound_roots(left, roots.first(middle), first);
+    bound_roots(left + 1, roots.subspan(middle), first + middle);
 }
 
 /// x along, y across.

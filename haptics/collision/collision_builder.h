@@ -8,6 +8,7 @@
 #include "haptics/curve/curve_set.h"
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace touchline {
@@ -27,10 +28,15 @@ class CollisionTreeBuilder {
     [[nodiscard]] CollisionTree finish(double radius_m) &&;
 
   private:
+    struct Root {
+        Stretch stretch;
+        Shadow shadow;    // x along, y across
+        Position middle;  // twice that of its middle node
+    };
+
     void bound_level(int piece, int level);
     void add_stretches(int piece, int level, std::vector<Stretch>& stretches) const;
-    void bound_roots(std::size_t at, std::size_t first, std::size_t last);
-    [[nodiscard]] CollisionTree::Bound bound_of(std::size_t first, std::size_t last) const;
+    void bound_roots(std::size_t at, std::span<Root> roots, std::size_t first);
     [[nodiscard]] Shadow upright_shadow(const Stretch& stretch) const;
     [[nodiscard]] double mean_edge_m() const;
     void lay_grid();

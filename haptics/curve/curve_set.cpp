@@ -351,11 +351,18 @@ class CurveSetBuilder {
 
     /// Stores level 0 of all pieces first, then each piece's coarser levels.
     void store_points() {
-        place_levels();
-        std::vector<Position> details(set_.finest_count_ / 2);
+        const std::size_t points = place_levels();
+        set_.points_.reserve(points);
+        std::size_t most_segments = 0;
+        for (std::size_t i = 0; i < firsts_.size(); ++i) {
+            set_.points_.insert(set_.points_.end(), firsts_[i].begin(), firsts_[i].end());
+            firsts_[i] = {};
+            most_segments = std::max(most_segments, shapes_[i].finest_segments);
+        }
+        set_.points_.resize(points);
+        std::vector<Position> details(most_segments / 2);
         for (std::size_t i = 0; i < firsts_.size(); ++i) {
             const auto piece = static_cast<int>(i);
-            std::ranges::copy(firsts_[i], points_of(piece, 0).begin());
             CurveShape shape = shapes_[i];
             for (int level = 0; level < halvings_[i]; ++level) {
                 analyze(points_of(piece, level), shape, points_of(piece, level + 1), details);
@@ -364,7 +371,8 @@ class CurveSetBuilder {
         }
     }
 
-    void place_levels() {
+    /// Returns how many points there are on all levels.
+    std::size_t place_levels() {
         std::size_t first = 0;  // of level 0 of the next piece
         for (const auto& points : firsts_) first += points.size();
         set_.finest_count_ = first;
@@ -380,7 +388,7 @@ class CurveSetBuilder {
                 add_level(coarser, segments + end);
             }
         }
-        set_.points_.resize(coarser);
+        return coarser;
     }
 
     void add_level(std::size_t& first, std::size_t count) {
