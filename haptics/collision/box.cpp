@@ -105,12 +105,12 @@ struct Four {
 
 constexpr Extents bare_segments{{0, 0, 0, 0}, {1, 1, 1, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}};
 
-[[gnu::always_inline]] inline Four four_of(const Fan& fan) {
-    const Pair p1 = pair(fan.points[1]);
-    const Pair p2 = pair(fan.points[2]);
-    const Pair p3 = pair(fan.points[3]);
-    return {rounded(p1 - pair(fan.points[0]), p2 - p1, p3 - p2, pair(fan.points[4]) - p3),
-            fan.extents != nullptr ? unpacked(fan.extents) : bare_segments};
+[[gnu::always_inline]] inline Four four_of(const Position* points, const PackedExtents* extents) {
+    const Pair p1 = pair(points[1]);
+    const Pair p2 = pair(points[2]);
+    const Pair p3 = pair(points[3]);
+    return {rounded(p1 - pair(points[0]), p2 - p1, p3 - p2, pair(points[4]) - p3),
+            extents != nullptr ? unpacked(extents) : bare_segments};
 }
 
 /// Returns the last 4 - by of `four` and the first of `next`.
@@ -191,8 +191,9 @@ Masks lies_outside(const Four& box, const Four& other, const Points& by, Floats 
 }
 
 /// Returns those of the wanted lanes where overlap() of the two is surely false.
-[[gnu::always_inline]] inline unsigned apart(const Four& near, const Four& far, const Points& by, Floats way, float reach,
-               unsigned wanted) {
+[[gnu::always_inline]] inline unsigned lanes_apart(const Four& near, const Four& far,
+                                                       const Points& by, Floats way, float reach,
+                                                       unsigned wanted) {
     constexpr Masks bits{1, 2, 4, 8};
     const unsigned found = gathered(begins_beyond(near, far, by, way, reach) & bits);
     if ((found & wanted) == wanted) return wanted;
@@ -281,18 +282,24 @@ Sifted sift(const Fan& fan, const Way& way) {
     return out;
 }
 
-Apart sift_ahead(const Fan& four, const Fan& next, double reach_m) {
-    const Four near = four_of(four);
-    const Four far = four_of(next);
+void sift_ahead(const Position* points, const PackedExtents* extents, double reach_m,
+                std::span<Apart> apart) {
     const auto reach = static_cast<float>(reach_m);
-    const Points second = moved_on<1>(near.axis, far.axis);
-    const Four two = moved_on<2>(near, far);
-    const Points by_two{near.axis.x + second.x, near.axis.y + second.y};
-    const Points by_three{by_two.x + two.axis.x, by_two.y + two.axis.y};
-    const Floats way = length_bounds(near.axis) + length_bounds(second);
-    return {apart(near, two, by_two, way, reach, 0b1111U),
-            apart(near, moved_on<3>(near, far), by_three, way + length_bounds(two.axis), reach,
-                  0b0101U)};
+    Four near = four_of(points, extents);
+    for (Apart& out : apart) {
+        points += Fan::width;
+        if (extents != nullptr) extents += Fan::width;
+        const Four far = four_of(points, extents);
+        const Points second = moved_on<1>(near.axis, far.axis);
+        const Four two = moved_on<2>(near, far);
+        const Points by_two{near.axis.x + second.x, near.axis.y + second.y};
+        const Points by_three{by_two.x + two.axis.x, by_two.y + two.axis.y};
+        const Floats way = length_bounds(near.axis) + length_bounds(second);
+        out = {lanes_apart(near, two, by_two, way, reach, 0b1111U),
+               lanes_apart(near, moved_on<3>(near, far), by_three, way + length_bounds(two.axis),
+                           reach, 0b0101U)};
+        near = far;
+    }
 }
 
 }  // namespace touchline

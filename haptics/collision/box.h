@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 
 namespace touchline {
 
@@ -223,8 +224,10 @@ struct Apart {
     unsigned by_three = 0;  // bit k, 0 or 2: node k from node k + 3
 };
 
-/// A bit says that overlap() is false. `next` follows `four`; both have Fan::width nodes.
-/// Conservative as sift().
-[[nodiscard]] Apart sift_ahead(const Fan& four, const Fan& next, double reach_m);
+/// A bit says that overlap() is false. Looks at nodes from 0 on, four for each of `apart`, and at
+/// the four after them: so many points, one more, and so many extents may be read. `extents` as in
+/// Fan. Conservative as sift().
+void sift_ahead(const Position* points, const PackedExtents* extents, double reach_m,
+                std::span<Apart> apart);
 
 }  // namespace touchline

@@ -4,7 +4,9 @@
 #include "haptics/collision/touch.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <span>
 
 namespace touchline {
 namespace {
@@ -168,21 +170,30 @@ void Crowding::between_bounds(std::size_t a, std::size_t b) {
 /// even node the one after that. All others of the piece are met through parents that meet.
 void Crowding::along_level(int piece, int level) {
     const int count = curves_.segment_count(piece, level);
-    CollisionTree::FanBuffer buffer;
-    CollisionTree::FanBuffer next_buffer;
+    const auto points = curves_.points(piece, level);
+    const PackedExtents* const extents =
+        level == 0 ? nullptr
+                   : tree_.extents_.data() +
+                         (curves_.first_point(piece, level) - curves_.finest_count());
     const auto look_at = [&](unsigned near, int first, int ahead) {
         for (; near != 0; near &= near - 1) {
             look_ahead(piece, level, first + std::countr_zero(near), ahead);
         }
     };
+    // Fours with as many nodes and a point behind them.
+    const std::size_t fours = points.size() < 9 ? 0 : (points.size() - 5) / Fan::width;
+    std::array<Apart, 64> sifted;
     int j = 0;
-    for (; j + 2 * Fan::width <= count; j += Fan::width) {
-        const Stretch four{piece, level, j, Fan::width};
-        const Stretch next{piece, level, j + Fan::width, Fan::width};
-        const Apart apart = sift_ahead(tree_.fan(curves_, four, buffer),
-                                       tree_.fan(curves_, next, next_buffer), reach_m_);
-        look_at(~apart.by_two & 0b1111U, j, 2);
-        look_at(~apart.by_three & 0b0101U, j, 3);
+    for (std::size_t done = 0; done < fours; done += sifted.size()) {
+        const auto some = std::span(sifted).first(std::min(sifted.size(), fours - done));
+        const auto first = static_cast<std::size_t>(j);
+        sift_ahead(points.data() + first, extents == nullptr ? nullptr : extents + first, reach_m_,
+                   some);
+        for (const Apart& apart : some) {
+            look_at(~apart.by_two & 0b1111U, j, 2);
+            look_at(~apart.by_three & 0b0101U, j, 3);
+            j += Fan::width;
+        }
     }
     for (; j < count; ++j) {
         look_ahead(piece, level, j, 2);
