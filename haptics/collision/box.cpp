@@ -130,8 +130,7 @@ Four moved_on(const Four& four, const Four& next) {
     const Extents& f = next.extents;
     return {moved_on<by>(four.axis, next.axis),
             {moved_on<by>(e.along_low, f.along_low), moved_on<by>(e.along_high, f.along_high),
-             moved_on<by>(e.across_low, f.across_low),
-             moved_on<by>(e.across_high, f.across_high)}};
+             moved_on<by>(e.across_low, f.across_low), moved_on<by>(e.across_high, f.across_high)}};
 }
 
 Floats length_bounds(const Points& v) {
@@ -146,7 +145,8 @@ Floats length_bounds(const Points& v) {
 
 /// Returns the lanes where `far`, whose origin lies `by` away over a way of length `way`, surely
 /// begins more than `reach` beyond the end of `near`. Tells most neighbours apart.
-[[gnu::always_inline]] inline Masks begins_beyond(const Four& near, const Four& far, const Points& by, Floats way, float reach) {
+[[gnu::always_inline]] inline Masks begins_beyond(const Four& near, const Four& far,
+                                                  const Points& by, Floats way, float reach) {
     const Points& a = near.axis;
     const Points& b = far.axis;
     const Extents& e = far.extents;
@@ -157,8 +157,8 @@ Floats length_bounds(const Points& v) {
                          larger(e.across_low * d, e.across_high * d);
     const Floats end = near.extents.along_high;
     const Floats size = way + absolute(end) * length_bounds(a) + reaches(e) * length_bounds(b);
-    return (begin - end * square > (reach + 4e-6F * size) * length_bounds(a)) &
-           (square > 1e-29F) & (b.x * b.x + b.y * b.y > 1e-29F);
+    return (begin - end * square > (reach + 4e-6F * size) * length_bounds(a)) & (square > 1e-29F) &
+           (b.x * b.x + b.y * b.y > 1e-29F);
 }
 
 /// The same for more than `reach` outside any one side of `box`: as separates().
@@ -181,8 +181,7 @@ Masks lies_outside(const Four& box, const Four& other, const Points& by, Floats 
     const Floats before = own.along_low * square - s - larger(uc[0], uc[1]) + smaller(vd[0], vd[1]);
     const Floats left =
         n + smaller(ud[0], ud[1]) + smaller(vc[0], vc[1]) - own.across_high * square;
-    const Floats right =
-        own.across_low * square - n - larger(ud[0], ud[1]) - larger(vc[0], vc[1]);
+    const Floats right = own.across_low * square - n - larger(ud[0], ud[1]) - larger(vc[0], vc[1]);
     const Floats gap = larger(larger(beyond, before), larger(left, right));
     const Floats size = way + reaches(own) * length_bounds(a) + reaches(e) * length_bounds(b);
     // An axis too short for its square says nothing.
@@ -192,8 +191,8 @@ Masks lies_outside(const Four& box, const Four& other, const Points& by, Floats 
 
 /// Returns those of the wanted lanes where overlap() of the two is surely false.
 [[gnu::always_inline]] inline unsigned lanes_apart(const Four& near, const Four& far,
-                                                       const Points& by, Floats way, float reach,
-                                                       unsigned wanted) {
+                                                   const Points& by, Floats way, float reach,
+                                                   unsigned wanted) {
     constexpr Masks bits{1, 2, 4, 8};
     const unsigned found = gathered(begins_beyond(near, far, by, way, reach) & bits);
     if ((found & wanted) == wanted) return wanted;

@@ -162,9 +162,9 @@ void CollisionTreeBuilder::bound_level(int piece, int level) {
     const auto line_of = [&](int at) {
         const std::size_t first = curves_.first_point(piece, at);
         const bool has_boxes = at > 0;
-        return LevelLine(curves_.points(piece, at),
-                         has_boxes ? tree_.extents_.data() + (first - curves_.finest_count())
-                                   : nullptr);
+        return LevelLine(
+            curves_.points(piece, at),
+            has_boxes ? tree_.extents_.data() + (first - curves_.finest_count()) : nullptr);
     };
     std::array<LevelLine, scanned + 1> lines;  // from this level to finer ones
     std::array<std::size_t, scanned + 1> counts{};
@@ -239,8 +239,7 @@ double CollisionTreeBuilder::mean_edge_m() const {
     double edges = 0.0;
     for (int piece = 0; piece < curves_.piece_count(); ++piece) {
         const auto points = curves_.points(piece, 0);
-        for (std::size_t i = 1; i < points.size(); ++i)
-            length_m += norm(points[i] - points[i - 1]);
+        for (std::size_t i = 1; i < points.size(); ++i) length_m += norm(points[i] - points[i - 1]);
         edges += static_cast<double>(points.size() - 1);
     }
     return edges > 0.0 ? length_m / edges : 1.0;

@@ -172,9 +172,9 @@ void Crowding::along_level(int piece, int level) {
     const int count = curves_.segment_count(piece, level);
     const auto points = curves_.points(piece, level);
     const PackedExtents* const extents =
-        level == 0 ? nullptr
-                   : tree_.extents_.data() +
-                         (curves_.first_point(piece, level) - curves_.finest_count());
+        level == 0
+            ? nullptr
+            : tree_.extents_.data() + (curves_.first_point(piece, level) - curves_.finest_count());
     const auto look_at = [&](unsigned near, int first, int ahead) {
         for (; near != 0; near &= near - 1) {
             look_ahead(piece, level, first + std::countr_zero(near), ahead);

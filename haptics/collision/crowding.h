@@ -55,9 +55,10 @@ class Crowding {
     Crowding(const CollisionTree& tree, const CurveSet& curves, double reach_m);
 
     /// Returns one flag for each node, in the order of the curves' points. Takes about 3
-    /// comparisons a node for curves that keep clear of themselves. Two nodes that are settled, with
-    /// all below them, are not compared. If a scene is so crowded that 64 comparisons a node do not
-    /// suffice, no node is alone: then every slide asks the tree, which is slower but just as right.
+    /// comparisons a node for curves that keep clear of themselves. Two nodes that are settled,
+    /// with all below them, are not compared. If a scene is so crowded that 64 comparisons a node
+    /// do not suffice, no node is alone: then every slide asks the tree, which is slower but just
+    /// as right.
     [[nodiscard]] std::vector<bool> find_alone();
 
     /// Returns the pairs of levels > 0 whose boxes crowd each other.

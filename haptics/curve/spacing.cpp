@@ -326,10 +326,9 @@ double median(std::span<double> values) {
         const auto below = std::ranges::count_if(values, is_below);
         const auto far = std::ranges::count_if(values, is_far);
         if (rank >= below && rank < below + std::ssize(values) - far) {
-            values = values.first(
-                static_cast<std::size_t>(std::partition(values.begin(), values.end(),
-                                                        [&](double v) { return !is_far(v); }) -
-                                         values.begin()));
+            values = values.first(static_cast<std::size_t>(
+                std::partition(values.begin(), values.end(), [&](double v) { return !is_far(v); }) -
+                values.begin()));
             rank -= below;
         }
     }
