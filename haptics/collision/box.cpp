@@ -97,6 +97,112 @@ unsigned gathered(Masks bits) {
     return static_cast<unsigned>(whole[0]);
 }
 
+/// Four boxes in the frames of their segments.
+struct Four {
+    Points axis;
+    Extents extents;
+};
+
+constexpr Extents bare_segments{{0, 0, 0, 0}, {1, 1, 1, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}};
+
+[[gnu::always_inline]] inline Four four_of(const Position* points, const PackedExtents* extents) {
+    const Pair p1 = pair(points[1]);
+    const Pair p2 = pair(points[2]);
+    const Pair p3 = pair(points[3]);
+    return {rounded(p1 - pair(points[0]), p2 - p1, p3 - p2, pair(points[4]) - p3),
+            extents != nullptr ? unpacked(extents) : bare_segments};
+}
+
+/// Returns the last 4 - by of `four` and the first of `next`.
+template <int by>
+Floats moved_on(Floats four, Floats next) {
+    return __builtin_shufflevector(four, next, by, by + 1, by + 2, by + 3);
+}
+
+template <int by>
+Points moved_on(const Points& four, const Points& next) {
+    return {moved_on<by>(four.x, next.x), moved_on<by>(four.y, next.y)};
+}
+
+template <int by>
+Four moved_on(const Four& four, const Four& next) {
+    const Extents& e = four.extents;
+    const Extents& f = next.extents;
+    return {moved_on<by>(four.axis, next.axis),
+            {moved_on<by>(e.along_low, f.along_low), moved_on<by>(e.along_high, f.along_high),
+             moved_on<by>(e.across_low, f.across_low), moved_on<by>(e.across_high, f.across_high)}};
+}
+
+Floats length_bounds(const Points& v) {
+    return absolute(v.x) + absolute(v.y);
+}
+
+/// Returns at least how far the boxes go from their origins, in lengths of their axes.
+[[gnu::always_inline]] inline Floats reaches(const Extents& e) {
+    return larger(absolute(e.along_low), absolute(e.along_high)) +
+           larger(absolute(e.across_low), absolute(e.across_high));
+}
+
+/// Returns the lanes where `far`, whose origin lies `by` away over a way of length `way`, surely
+/// begins more than `reach` beyond the end of `near`. Tells most neighbours apart.
+[[gnu::always_inline]] inline Masks begins_beyond(const Four& near, const Four& far,
+                                                  const Points& by, Floats way, float reach) {
+    const Points& a = near.axis;
+    const Points& b = far.axis;
+    const Extents& e = far.extents;
+    const Floats square = a.x * a.x + a.y * a.y;
+    const Floats c = a.x * b.x + a.y * b.y;
+    const Floats d = a.x * b.y - a.y * b.x;
+    const Floats begin = a.x * by.x + a.y * by.y + smaller(e.along_low * c, e.along_high * c) -
+                         larger(e.across_low * d, e.across_high * d);
+    const Floats end = near.extents.along_high;
+    const Floats size = way + absolute(end) * length_bounds(a) + reaches(e) * length_bounds(b);
+    return (begin - end * square > (reach + 4e-6F * size) * length_bounds(a)) & (square > 1e-29F) &
+           (b.x * b.x + b.y * b.y > 1e-29F);
+}
+
+/// The same for more than `reach` outside any one side of `box`: as separates().
+Masks lies_outside(const Four& box, const Four& other, const Points& by, Floats way, float reach) {
+    const Points& a = box.axis;
+    const Points& b = other.axis;
+    const Extents& own = box.extents;
+    const Extents& e = other.extents;
+    const Floats square = a.x * a.x + a.y * a.y;
+    const Floats s = a.x * by.x + a.y * by.y;
+    const Floats n = a.x * by.y - a.y * by.x;
+    const Floats c = a.x * b.x + a.y * b.y;
+    const Floats d = a.x * b.y - a.y * b.x;
+    const Floats uc[] = {e.along_low * c, e.along_high * c};
+    const Floats ud[] = {e.along_low * d, e.along_high * d};
+    const Floats vc[] = {e.across_low * c, e.across_high * c};
+    const Floats vd[] = {e.across_low * d, e.across_high * d};
+    const Floats beyond =
+        s + smaller(uc[0], uc[1]) - larger(vd[0], vd[1]) - own.along_high * square;
+    const Floats before = own.along_low * square - s - larger(uc[0], uc[1]) + smaller(vd[0], vd[1]);
+    const Floats left =
+        n + smaller(ud[0], ud[1]) + smaller(vc[0], vc[1]) - own.across_high * square;
+    const Floats right = own.across_low * square - n - larger(ud[0], ud[1]) - larger(vc[0], vc[1]);
+    const Floats gap = larger(larger(beyond, before), larger(left, right));
+    const Floats size = way + reaches(own) * length_bounds(a) + reaches(e) * length_bounds(b);
+    // An axis too short for its square says nothing.
+    return (gap > (reach + 4e-6F * size) * length_bounds(a)) & (square > 1e-29F) &
+           (b.x * b.x + b.y * b.y > 1e-29F);
+}
+
+/// Returns those of the wanted lanes where overlap() of the two is surely false.
+[[gnu::always_inline]] inline unsigned lanes_apart(const Four& near, const Four& far,
+                                                   const Points& by, Floats way, float reach,
+                                                   unsigned wanted) {
+    constexpr Masks bits{1, 2, 4, 8};
+    const unsigned found = gathered(begins_beyond(near, far, by, way, reach) & bits);
+    if ((found & wanted) == wanted) return wanted;
+    const Points back{-by.x, -by.y};
+    return gathered((lies_outside(near, far, by, way, reach) |
+                     lies_outside(far, near, back, way, reach)) &
+                    bits) &
+           wanted;
+}
+
 float least(Floats a) {
     const Floats halves = smaller(a, __builtin_shufflevector(a, a, 2, 3, 0, 1));
     return smaller(halves, __builtin_shufflevector(halves, halves, 1, 0, 3, 2))[0];
@@ -127,8 +233,7 @@ bool overlap(const Box& a, const Box& b, double reach_m) {
 
 Sifted sift(const Fan& fan, const Way& way) {
     static_assert(sizeof(PackedExtents) == 8);
-    constexpr Extents segments{{0, 0, 0, 0}, {1, 1, 1, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}};
-    const Extents e = fan.extents != nullptr ? unpacked(fan.extents) : segments;
+    const Extents e = fan.extents != nullptr ? unpacked(fan.extents) : bare_segments;
     const Pair from = pair(way.from);
     const Pair p0 = pair(fan.points[0]);
     const Pair p1 = pair(fan.points[1]);
@@ -174,6 +279,26 @@ Sifted sift(const Fan& fan, const Way& way) {
     const Floats entry = is_known ? larger(along, across) : Floats{};
     std::memcpy(out.key.data(), &entry, sizeof entry);
     return out;
+}
+
+void sift_ahead(const Position* points, const PackedExtents* extents, double reach_m,
+                std::span<Apart> apart) {
+    const auto reach = static_cast<float>(reach_m);
+    Four near = four_of(points, extents);
+    for (Apart& out : apart) {
+        points += Fan::width;
+        if (extents != nullptr) extents += Fan::width;
+        const Four far = four_of(points, extents);
+        const Points second = moved_on<1>(near.axis, far.axis);
+        const Four two = moved_on<2>(near, far);
+        const Points by_two{near.axis.x + second.x, near.axis.y + second.y};
+        const Points by_three{by_two.x + two.axis.x, by_two.y + two.axis.y};
+        const Floats way = length_bounds(near.axis) + length_bounds(second);
+        out = {lanes_apart(near, two, by_two, way, reach, 0b1111U),
+               lanes_apart(near, moved_on<3>(near, far), by_three, way + length_bounds(two.axis),
+                           reach, 0b0101U)};
+        near = far;
+    }
 }
 
 }  // namespace touchline

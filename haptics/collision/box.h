@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 
 namespace touchline {
 
@@ -156,11 +157,24 @@ class PackedExtents {
     /// Returns the smallest number of this format that is not below x.
     static std::uint16_t above(double x) {
         constexpr std::uint16_t largest = 0x7f7f;
+        if (x >= least_regular && x <= value(largest)) return cut_above(x);
         if (!(x <= static_cast<double>(std::numeric_limits<float>::max()))) return largest;
         auto half =
             static_cast<std::uint16_t>(std::bit_cast<std::uint32_t>(static_cast<float>(x)) >> 16);
         while (value(half) < x) half = next_up(half);
         return half;
+    }
+
+    static constexpr double least_regular = 0x1p-126;
+
+    /// The same for regular numbers of this format: the upper bits of the double, with another
+    /// bias of the exponent.
+    static std::uint16_t cut_above(double x) {
+        constexpr int cut = 52 - 7;
+        constexpr std::uint64_t below = (std::uint64_t{1} << cut) - 1;
+        constexpr std::uint64_t bias = (1023U - 127U) << 7U;
+        return static_cast<std::uint16_t>(((std::bit_cast<std::uint64_t>(x) + below) >> cut) -
+                                          bias);
     }
 
     /// Rounds away from zero for positive numbers, towards it for negative ones.
@@ -203,5 +217,17 @@ struct Sifted {
 /// Conservative: coordinates are taken relative to the way's start before they are rounded, and the
 /// reach is widened by 4e-6 of the distance, which is more than all rounding.
 [[nodiscard]] Sifted sift(const Fan& fan, const Way& way);
+
+/// Which boxes of four neighbouring nodes are surely apart from those further along the outline.
+struct Apart {
+    unsigned by_two = 0;    // bit k: node k from node k + 2
+    unsigned by_three = 0;  // bit k, 0 or 2: node k from node k + 3
+};
+
+/// A bit says that overlap() is false. Looks at nodes from 0 on, four for each of `apart`, and at
+/// the four after them: so many points, one more, and so many extents may be read. `extents` as in
+/// Fan. Conservative as sift().
+void sift_ahead(const Position* points, const PackedExtents* extents, double reach_m,
+                std::span<Apart> apart);
 
 }  // namespace touchline

@@ -4,6 +4,9 @@
 #include "haptics/collision/touch.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <span>
 
 namespace touchline {
 namespace {
@@ -104,10 +107,11 @@ Crowding::Crowding(const CollisionTree& tree, const CurveSet& curves, double rea
     : tree_(tree),
       curves_(curves),
       reach_m_(2.0 * reach_m),
-      alone_(curves.point_count(), true),
       left_(64 * curves.point_count() + 4096) {}
 
 std::vector<bool> Crowding::find_alone() {
+    alone_.assign(curves_.point_count(), true);
+    settled_.assign(curves_.point_count(), false);
     walk();
     if (left_ == 0) alone_.assign(alone_.size(), false);
     return std::move(alone_);
@@ -121,7 +125,7 @@ Meetings Crowding::find_meetings() {
 void Crowding::walk() {
     if (!tree_.bounds_.empty()) within_hierarchy(0);
     for (int piece = 0; piece < curves_.piece_count(); ++piece) {
-        for (int level = curves_.piece(piece).coarsest - 1; level >= 0; --level) {
+        for (int level = curves_.piece(piece).coarsest - 1; level >= finest(); --level) {
             along_level(piece, level);
         }
     }
@@ -166,22 +170,46 @@ void Crowding::between_bounds(std::size_t a, std::size_t b) {
 /// even node the one after that. All others of the piece are met through parents that meet.
 void Crowding::along_level(int piece, int level) {
     const int count = curves_.segment_count(piece, level);
-    const Piece& own = curves_.piece(piece);
-    const bool is_closed = own.is_closed || own.next == piece;  // or a loop with one pin
-    std::array<Box, 4> window;  // of nodes j ... j + 3, each at its number's last two bits
-    const auto box_at = [&](int j) -> Box& { return window[static_cast<std::size_t>(j) % 4]; };
-    const auto load = [&](int j) {
-        if (j < count || is_closed) box_at(j) = tree_.node_box(curves_, {piece, level, j % count});
+    const auto points = curves_.points(piece, level);
+    const PackedExtents* const extents =
+        level == 0
+            ? nullptr
+            : tree_.extents_.data() + (curves_.first_point(piece, level) - curves_.finest_count());
+    const auto look_at = [&](unsigned near, int first, int ahead) {
+        for (; near != 0; near &= near - 1) {
+            look_ahead(piece, level, first + std::countr_zero(near), ahead);
+        }
     };
-    for (int j = 0; j < 3; ++j) load(j);
-    for (int j = 0; j < count; ++j) {
-        load(j + 3);
-        for (const int ahead : {2, 3}) {
-            const bool is_one = (ahead == 2 || j % 2 == 0) && (j + ahead < count || is_closed);
-            if (!is_one || !overlap(box_at(j), box_at(j + ahead), reach_m_)) continue;
-            crowd({piece, j}, {piece, (j + ahead) % count}, level);
+    // Fours with as many nodes and a point behind them.
+    const std::size_t fours = points.size() < 9 ? 0 : (points.size() - 5) / Fan::width;
+    std::array<Apart, 64> sifted;
+    int j = 0;
+    for (std::size_t done = 0; done < fours; done += sifted.size()) {
+        const auto some = std::span(sifted).first(std::min(sifted.size(), fours - done));
+        const auto first = static_cast<std::size_t>(j);
+        sift_ahead(points.data() + first, extents == nullptr ? nullptr : extents + first, reach_m_,
+                   some);
+        for (const Apart& apart : some) {
+            look_at(~apart.by_two & 0b1111U, j, 2);
+            look_at(~apart.by_three & 0b0101U, j, 3);
+            j += Fan::width;
         }
     }
+    for (; j < count; ++j) {
+        look_ahead(piece, level, j, 2);
+        if (j % 2 == 0) look_ahead(piece, level, j, 3);
+    }
+}
+
+void Crowding::look_ahead(int piece, int level, int j, int ahead) {
+    const int count = curves_.segment_count(piece, level);
+    const Piece& own = curves_.piece(piece);
+    const bool is_closed = own.is_closed || own.next == piece;  // or a loop with one pin
+    if (j + ahead >= count && !is_closed) return;
+    const SegmentRef a{piece, j};
+    const SegmentRef b{piece, (j + ahead) % count};
+    if (are_settled(a, b, level)) return;
+    if (overlap(box_at(a, level), box_at(b, level), reach_m_)) crowd(a, b, level);
 }
 
 /// Compares the nodes of two leaves of the hierarchy, or of one with each other.
@@ -206,7 +234,7 @@ void Crowding::compare(SegmentRef a, SegmentRef b, int level) {
 
 /// Compares the ends of two pieces that share a pin, at every level.
 void Crowding::between_neighbours(SegmentRef a, SegmentRef b, int level) {
-    if (level == 0) return;
+    if (level <= finest()) return;
     const Parts of_a = children(a, level);
     const Parts of_b = children(b, level);
     for (int i = 0; i < of_a.count; ++i) {
@@ -215,25 +243,29 @@ void Crowding::between_neighbours(SegmentRef a, SegmentRef b, int level) {
 }
 
 void Crowding::between_strangers(SegmentRef a, SegmentRef b, int level) {
-    if (left_ == 0) return;
+    if (left_ == 0 || are_settled(a, b, level)) return;
     --left_;
-    const Box box_a = tree_.node_box(curves_, {a.piece, level_of(a, level), a.index});
-    const Box box_b = tree_.node_box(curves_, {b.piece, level_of(b, level), b.index});
-    if (overlap(box_a, box_b, reach_m_)) crowd(a, b, level);
+    if (overlap(box_at(a, level), box_at(b, level), reach_m_)) crowd(a, b, level);
 }
 
 /// For two nodes that are not neighbours and whose boxes meet: neither is alone, and their children
 /// may meet.
 void Crowding::crowd(SegmentRef a, SegmentRef b, int level) {
-    mark(a, level);
-    mark(b, level);
-    if (level == 0) return;
-    meetings_.push_back({level, {{a, b}}});
+    if (is_pair_wanted()) {
+        if (level > 0) meetings_.push_back({level, {{a, b}}});
+    } else {
+        mark(a, level);
+        mark(b, level);
+    }
+    if (level <= finest()) return;
     const Parts of_a = children(a, level);
     const Parts of_b = children(b, level);
     for (int i = 0; i < of_a.count; ++i) {
         for (int j = 0; j < of_b.count; ++j) between_strangers(of_a.at[i], of_b.at[j], level - 1);
     }
+    if (is_pair_wanted()) return;
+    settle(a, level);
+    settle(b, level);
 }
 
 int Crowding::level_of(SegmentRef a, int level) const {
@@ -262,9 +294,31 @@ bool Crowding::are_neighbours(SegmentRef a, SegmentRef b, int level) const {
     return follows(a, b) || follows(b, a);
 }
 
+std::size_t Crowding::node_at(SegmentRef a, int level) const {
+    return curves_.first_point(a.piece, level_of(a, level)) + static_cast<std::size_t>(a.index);
+}
+
+Box Crowding::box_at(SegmentRef a, int level) const {
+    return tree_.node_box(curves_, {a.piece, level_of(a, level), a.index});
+}
+
+/// Returns true if nothing is left to be found by comparing the two.
+bool Crowding::are_settled(SegmentRef a, SegmentRef b, int level) const {
+    return !is_pair_wanted() && settled_[node_at(a, level)] && settled_[node_at(b, level)];
+}
+
 void Crowding::mark(SegmentRef a, int level) {
-    alone_[curves_.first_point(a.piece, level_of(a, level)) + static_cast<std::size_t>(a.index)] =
-        false;
+    alone_[node_at(a, level)] = false;
+    if (level == 0) settled_[node_at(a, level)] = true;
+}
+
+/// For a node that is not alone; level > 0.
+void Crowding::settle(SegmentRef a, int level) {
+    const Parts parts = children(a, level);
+    for (int i = 0; i < parts.count; ++i) {
+        if (!settled_[node_at(parts.at[i], level - 1)]) return;
+    }
+    settled_[node_at(a, level)] = true;
 }
 
 SafeLevels find_safe_levels(const CurveSet& curves, Meetings meetings) {

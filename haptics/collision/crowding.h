@@ -55,12 +55,13 @@ class Crowding {
     Crowding(const CollisionTree& tree, const CurveSet& curves, double reach_m);
 
     /// Returns one flag for each node, in the order of the curves' points. Takes about 3
-    /// comparisons a node for curves that keep clear of themselves. If a scene is so crowded that
-    /// 64 comparisons a node do not suffice, no node is alone: then every slide asks the tree,
-    /// which is slower but just as right.
+    /// comparisons a node for curves that keep clear of themselves. Two nodes that are settled,
+    /// with all below them, are not compared. If a scene is so crowded that 64 comparisons a node
+    /// do not suffice, no node is alone: then every slide asks the tree, which is slower but just
+    /// as right.
     [[nodiscard]] std::vector<bool> find_alone();
 
-    /// Returns the pairs of levels > 0 whose boxes crowd each other, at the same cost.
+    /// Returns the pairs of levels > 0 whose boxes crowd each other.
     [[nodiscard]] Meetings find_meetings();
 
   private:
@@ -80,17 +81,28 @@ class Crowding {
     void compare(SegmentRef a, SegmentRef b, int level);
     void crowd(SegmentRef a, SegmentRef b, int level);
     void along_level(int piece, int level);
+    void look_ahead(int piece, int level, int j, int ahead);
+
+    [[nodiscard]] bool is_pair_wanted() const { return alone_.empty(); }
+
+    /// The finest level that is looked at.
+    [[nodiscard]] int finest() const { return is_pair_wanted() ? 1 : 0; }
 
     [[nodiscard]] int level_of(SegmentRef a, int level) const;
     [[nodiscard]] Parts children(SegmentRef a, int level) const;
     [[nodiscard]] bool are_neighbours(SegmentRef a, SegmentRef b, int level) const;
     [[nodiscard]] bool is_last(SegmentRef a, int level) const;
+    [[nodiscard]] std::size_t node_at(SegmentRef a, int level) const;
+    [[nodiscard]] Box box_at(SegmentRef a, int level) const;
+    [[nodiscard]] bool are_settled(SegmentRef a, SegmentRef b, int level) const;
     void mark(SegmentRef a, int level);
+    void settle(SegmentRef a, int level);
 
     const CollisionTree& tree_;
     const CurveSet& curves_;
     double reach_m_;
-    std::vector<bool> alone_;
+    std::vector<bool> alone_;    // empty where the pairs are wanted instead
+    std::vector<bool> settled_;  // neither the node nor any below it is alone
     std::vector<MeetingNodes> meetings_;
     std::size_t left_;  // comparisons that may still be made
 };

@@ -1,5 +1,6 @@
 #include "haptics/collision/scene.h"
 
+#include "haptics/collision/collision_builder.h"
 #include "haptics/collision/crowding.h"
 
 #include <algorithm>
@@ -37,7 +38,7 @@ std::vector<LabelStop> stops_of(const CurveSet& curves, const CollisionTree& tre
 double length_m(std::span<const Position> points, int first, int last) {
     double sum_m = 0.0;
     for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i) {
-        sum_m += norm(points[(i + 1) % points.size()] - points[i]);
+        sum_m += norm(points[i + 1 == points.size() ? 0 : i + 1] - points[i]);
     }
     return sum_m;
 }
@@ -111,23 +112,26 @@ std::vector<Leg> legs_of(const CurveSet& curves, const CollisionTree& tree,
 }
 
 Result<Scene> build_scene(const TactileMap& map, const CurveOptions& options, double radius_m) {
-    CurveOptions wanted = options;
+    const Result<CurveSource> source = CurveSource::read(map, options);
+    if (!source) return tl::unexpected(source.error());
+    std::vector<PinPlace> wanted = options.pins;
     for (int build = 1;; ++build) {
-        Result<CurveSet> curves = CurveSet::build(map, wanted);
+        Result<CurveSet> curves = source->build(wanted);
         if (!curves) return tl::unexpected(std::move(curves.error()));
-        CollisionTree tree = CollisionTree::build(*curves, radius_m);
-        Meetings meetings = Crowding(tree, *curves, contact_skin_m).find_meetings();
+        CollisionTreeBuilder builder(*curves);
+        Meetings meetings = builder.find_meetings();
         const bool is_complete = meetings.is_complete;
         const SafeLevels safe = find_safe_levels(*curves, std::move(meetings));
         const auto pins = build < most_builds ? pins_for(*curves, safe) : std::vector<PinPlace>{};
         if (!pins.empty()) {
-            wanted.pins.insert(wanted.pins.end(), pins.begin(), pins.end());
+            wanted.insert(wanted.end(), pins.begin(), pins.end());
             continue;
         }
         // Which nodes are alone depends on the levels that exist.
         const bool is_limited = !safe.unsafe.empty() || !is_complete;
         curves->limit_levels(safe.coarsest);
-        if (is_limited) tree = CollisionTree::build(*curves, radius_m);
+        if (is_limited) builder.hang();
+        CollisionTree tree = std::move(builder).finish(radius_m);
         return scene_of(std::move(*curves), std::move(tree), map);
     }
 }

@@ -180,17 +180,6 @@ void cut(const Outline& outline, int index, const std::vector<std::size_t>& pins
     }
 }
 
-/// Makes the vertex nearest to `place` a pin; `pins` ascend.
-void add_pin(const Outline& outline, Position place, std::vector<std::size_t>& pins) {
-    const auto& points = outline.points;
-    const auto nearest =
-        std::ranges::min_element(points, {}, [&](Position p) { return dot(p - place, p - place); });
-    if (nearest == points.end()) return;
-    const auto vertex = static_cast<std::size_t>(nearest - points.begin());
-    const auto at = std::ranges::lower_bound(pins, vertex);
-    if (at == pins.end() || *at != vertex) pins.insert(at, vertex);
-}
-
 }  // namespace
 
 /// Cuts the outlines at pins, places the level-0 points and transforms.
@@ -200,15 +189,11 @@ class CurveSetBuilder {
     CurveSetBuilder(const std::vector<Outline>& outlines, const CurveOptions& options)
         : outlines_(outlines), options_(options) {}
 
-    Result<CurveSet> build() {
-        PinRule rule;
-        rule.noise_m = options_.denoise_m;
-        const auto corners = find_pins(outlines_, rule);
+    /// `corners` are the pins found in the outlines themselves.
+    Result<CurveSet> build(const std::vector<std::vector<std::size_t>>& corners,
+                           std::span<const PinPlace> wanted) {
         auto pins = corners;
-        for (const PinPlace& pin : options_.pins) {
-            add_pin(outlines_[static_cast<std::size_t>(pin.outline)], pin.place,
-                    pins[static_cast<std::size_t>(pin.outline)]);
-        }
+        add_pins(outlines_, wanted, pins);
         for (std::size_t i = 0; i < outlines_.size(); ++i) {
             cut(outlines_[i], static_cast<int>(i), pins[i], corners[i], stretches_);
         }
@@ -346,9 +331,9 @@ class CurveSetBuilder {
 
     void measure_spacing() {
         std::vector<double> squares;
+        squares.reserve(set_.finest_count_);
         for (std::size_t i = 0; i < set_.pieces_.size(); ++i) {
             const auto points = set_.points(static_cast<int>(i), 0);
-            squares.reserve(squares.size() + points.size());
             for (std::size_t j = 1; j < points.size(); ++j) {
                 squares.push_back(dot(points[j] - points[j - 1], points[j] - points[j - 1]));
             }
@@ -359,19 +344,25 @@ class CurveSetBuilder {
             const bool is_last_of_outline = i + 1 == set_.pieces_.size() ||
                                             set_.pieces_[i + 1].outline != set_.pieces_[i].outline;
             if (!is_last_of_outline) continue;
-            set_.finest_spacing_m_ =
-                std::min(set_.finest_spacing_m_, std::sqrt(median(std::move(squares))));
+            set_.finest_spacing_m_ = std::min(set_.finest_spacing_m_, std::sqrt(median(squares)));
             squares.clear();
         }
     }
 
     /// Stores level 0 of all pieces first, then each piece's coarser levels.
     void store_points() {
-        place_levels();
-        std::vector<Position> details(set_.finest_count_ / 2);
+        const std::size_t points = place_levels();
+        set_.points_.reserve(points);
+        std::size_t most_segments = 0;
+        for (std::size_t i = 0; i < firsts_.size(); ++i) {
+            set_.points_.insert(set_.points_.end(), firsts_[i].begin(), firsts_[i].end());
+            firsts_[i] = {};
+            most_segments = std::max(most_segments, shapes_[i].finest_segments);
+        }
+        set_.points_.resize(points);
+        std::vector<Position> details(most_segments / 2);
         for (std::size_t i = 0; i < firsts_.size(); ++i) {
             const auto piece = static_cast<int>(i);
-            std::ranges::copy(firsts_[i], points_of(piece, 0).begin());
             CurveShape shape = shapes_[i];
             for (int level = 0; level < halvings_[i]; ++level) {
                 analyze(points_of(piece, level), shape, points_of(piece, level + 1), details);
@@ -380,7 +371,8 @@ class CurveSetBuilder {
         }
     }
 
-    void place_levels() {
+    /// Returns how many points there are on all levels.
+    std::size_t place_levels() {
         std::size_t first = 0;  // of level 0 of the next piece
         for (const auto& points : firsts_) first += points.size();
         set_.finest_count_ = first;
@@ -396,7 +388,7 @@ class CurveSetBuilder {
                 add_level(coarser, segments + end);
             }
         }
-        set_.points_.resize(coarser);
+        return coarser;
     }
 
     void add_level(std::size_t& first, std::size_t count) {
@@ -424,7 +416,7 @@ class CurveSetBuilder {
     }
 
     const std::vector<Outline>& outlines_;
-    CurveOptions options_;
+    const CurveOptions& options_;
     std::vector<OutlineStretch> stretches_;
     SpacingChoice spacing_;
     std::vector<CurveShape> shapes_;             // per stretch
@@ -433,12 +425,27 @@ class CurveSetBuilder {
     CurveSet set_;
 };
 
-Result<CurveSet> CurveSet::build(const TactileMap& map, const CurveOptions& options) {
+CurveSource::CurveSource(const TactileMap& map, const CurveOptions& options)
+    : map_(&map), options_(options) {
+    if (!std::ranges::all_of(map.outlines, is_clean)) repaired_ = cleaned(map.outlines);
+    PinRule rule;
+    rule.noise_m = options.denoise_m;
+    corners_ = find_pins(outlines(), rule);
+}
+
+Result<CurveSource> CurveSource::read(const TactileMap& map, const CurveOptions& options) {
     if (const auto checked = check(map.outlines); !checked) return tl::unexpected(checked.error());
-    const auto& outlines = map.outlines;
-    if (std::ranges::all_of(outlines, is_clean)) return CurveSetBuilder(outlines, options).build();
-    const std::vector<Outline> repaired = cleaned(outlines);
-    return CurveSetBuilder(repaired, options).build();
+    return CurveSource(map, options);
+}
+
+Result<CurveSet> CurveSource::build(std::span<const PinPlace> pins) const {
+    return CurveSetBuilder(outlines(), options_).build(corners_, pins);
+}
+
+Result<CurveSet> CurveSet::build(const TactileMap& map, const CurveOptions& options) {
+    const auto source = CurveSource::read(map, options);
+    if (!source) return tl::unexpected(source.error());
+    return source->build(options.pins);
 }
 
 }  // namespace touchline

@@ -40,6 +40,10 @@ struct PinPlace {
     Position place;
 };
 
+/// Adds the wanted pins to those of find_pins(), which stay ascending. O(N + pins N / 64).
+void add_pins(const std::vector<Outline>& outlines, std::span<const PinPlace> wanted,
+              std::vector<std::vector<std::size_t>>& pins);
+
 struct CurveOptions {
     /// false: keeps every vertex of the map at level 0, and splits edges longer than the spacing
     /// into equal collinear parts. true: resamples each piece by arc length.
@@ -228,6 +232,30 @@ class CurveSet {
     int coarsest_ = 0;
 
     friend class CurveSetBuilder;
+};
+
+/// A map made ready for curves: checked, without repeated points, its own pins found; for a scene
+/// that is built again with more pins. The map must outlive it.
+class CurveSource {
+  public:
+    /// Fails as CurveSet::build().
+    [[nodiscard]] static Result<CurveSource> read(const TactileMap& map,
+                                                  const CurveOptions& options);
+
+    /// Builds as CurveSet::build(), with these pins besides the map's own.
+    [[nodiscard]] Result<CurveSet> build(std::span<const PinPlace> pins) const;
+
+  private:
+    CurveSource(const TactileMap& map, const CurveOptions& options);
+
+    [[nodiscard]] const std::vector<Outline>& outlines() const {
+        return repaired_.empty() ? map_->outlines : repaired_;
+    }
+
+    const TactileMap* map_;
+    CurveOptions options_;
+    std::vector<Outline> repaired_;  // empty where the map's own have no repeated points
+    std::vector<std::vector<std::size_t>> corners_;
 };
 
 // How far a level lies from level 0, and whether a finger can tell.

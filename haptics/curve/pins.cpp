@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -104,25 +105,50 @@ std::vector<Corner> sharp_turns(const Outline& outline, const std::vector<double
     return sharp;
 }
 
-/// Returns the corners of one outline, strongest first, none nearer than `apart` to another pin.
+/// Returns how sharp a corner must be to be among about a sixteenth of them; all may be as sharp.
+double sharp_enough_rad(const std::vector<Corner>& corners) {
+    constexpr std::size_t samples = 1024;
+    std::vector<double> turns_rad;
+    const std::size_t stride = std::max<std::size_t>(1, corners.size() / samples);
+    for (std::size_t i = 0; i < corners.size(); i += stride) {
+        turns_rad.push_back(corners[i].turn_rad);
+    }
+    const auto sharp = turns_rad.begin() + static_cast<std::ptrdiff_t>(turns_rad.size() / 16);
+    std::nth_element(turns_rad.begin(), sharp, turns_rad.end(), std::greater());
+    return *sharp;
+}
+
+/// Returns the corners of one outline, none nearer than `apart` to another pin, as if they were
+/// taken one by one from the strongest on. Where one is taken, those near drop out, mostly before
+/// anyone sorts them.
 std::vector<std::size_t> corners(const Outline& outline, const PinRule& rule) {
     const std::vector<double> s = arc_lengths(outline);
     const double length = s.back();
-    std::vector<Corner> candidates = sharp_turns(outline, s, rule);
-    std::ranges::stable_sort(candidates, std::greater(), &Corner::turn_rad);
     std::set<double> taken;
     if (!outline.is_closed) taken = {0.0, length};
-    const auto is_near = [&](double arc) {
+    const auto is_taken = [&](double arc) {
         const auto after = taken.lower_bound(arc - rule.apart_m);
         return after != taken.end() && *after < arc + rule.apart_m;
     };
-    std::vector<std::size_t> kept;
-    for (const Corner& corner : candidates) {
+    const auto is_near = [&](const Corner& corner) {
         const double arc = s[corner.vertex];
-        const bool wraps = outline.is_closed && (is_near(arc - length) || is_near(arc + length));
-        if (is_near(arc) || wraps) continue;
-        taken.insert(arc);
-        kept.push_back(corner.vertex);
+        return is_taken(arc) ||
+               (outline.is_closed && (is_taken(arc - length) || is_taken(arc + length)));
+    };
+    std::vector<std::size_t> kept;
+    std::vector<Corner> rest = sharp_turns(outline, s, rule);
+    while (!rest.empty()) {
+        const double least_rad = sharp_enough_rad(rest);
+        const auto is_strong = [&](const Corner& corner) { return corner.turn_rad >= least_rad; };
+        std::vector<Corner> strong;
+        std::ranges::copy_if(rest, std::back_inserter(strong), is_strong);
+        std::ranges::stable_sort(strong, std::greater(), &Corner::turn_rad);
+        for (const Corner& corner : strong) {
+            if (is_near(corner)) continue;
+            taken.insert(s[corner.vertex]);
+            kept.push_back(corner.vertex);
+        }
+        std::erase_if(rest, [&](const Corner& c) { return is_strong(c) || is_near(c); });
     }
     return kept;
 }

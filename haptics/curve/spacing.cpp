@@ -310,7 +310,7 @@ double deviation_m(std::span<const Position> line, std::span<const Position> kep
     return worst;
 }
 
-double median(std::vector<double> values) {
+double median(std::span<double> values) {
     if (values.empty()) return 0.0;
     auto rank = static_cast<std::ptrdiff_t>(values.size() / 2);
     constexpr std::size_t samples = 2048;  // whose median has a rank within 5 % of the whole's
@@ -326,7 +326,9 @@ double median(std::vector<double> values) {
         const auto below = std::ranges::count_if(values, is_below);
         const auto far = std::ranges::count_if(values, is_far);
         if (rank >= below && rank < below + std::ssize(values) - far) {
-            std::erase_if(values, is_far);
+            values = values.first(static_cast<std::size_t>(
+                std::partition(values.begin(), values.end(), [&](double v) { return !is_far(v); }) -
+                values.begin()));
             rank -= below;
         }
     }
@@ -340,7 +342,7 @@ double median_edge_m(std::span<const Position> line) {
     for (std::size_t i = 1; i < line.size(); ++i) {
         squares.push_back(dot(line[i] - line[i - 1], line[i] - line[i - 1]));
     }
-    return std::sqrt(median(std::move(squares)));
+    return std::sqrt(median(squares));
 }
 
 SpacingChoice choose_spacing(std::span<const SpacedLine> lines, std::span<const Outline> outlines,

@@ -40,8 +40,9 @@ namespace touchline {
 [[nodiscard]] double deviation_m(std::span<const Position> line, std::span<const Position> kept,
                                  double enough_m = std::numeric_limits<double>::infinity());
 
-/// Returns the middle value by size, the upper one of two; 0 if there are none. O(N).
-[[nodiscard]] double median(std::vector<double> values);
+/// Returns the middle value by size, the upper one of two; 0 if there are none. Changes the values'
+/// order. O(N).
+[[nodiscard]] double median(std::span<double> values);
 
 /// Returns the median edge length of a polyline; 0 if it has no edge.
 [[nodiscard]] double median_edge_m(std::span<const Position> line);

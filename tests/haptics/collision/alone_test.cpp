@@ -184,5 +184,34 @@ TEST(Alone, NearlyAllOfASimpleSmoothCurveIs) {
     EXPECT_GE(alone_share(trials::every_level(lobes)), 0.95);
 }
 
+/// Turns so close that each crowds all others.
+Outline coil(double radius_m, int turns, int points) {
+    std::vector<Position> line;
+    for (int i = 0; i < points; ++i) {
+        const double share = static_cast<double>(i) / points;
+        const double angle = 6.28318530717959 * turns * share;
+        line.push_back(Position{-0.03, 0.0} +
+                       radius_m * (0.1 + share) * Position{std::cos(angle), std::sin(angle)});
+    }
+    return scenes::outline(std::move(line), false);
+}
+
+TEST(Alone, ACrowdElsewhereChangesNothing) {
+    constexpr double radius_m = 1.4e-3;
+    constexpr int points = 12000;
+    const TactileMap map = scenes::map_of({coil(0.001, 40, points), scenes::circle(0.015, points)});
+    const Scene scene = trials::every_level(map, radius_m);
+    int alone = 0;
+    for (int piece = 0; piece < scene.curves.piece_count(); ++piece) {
+        const int level = scene.curves.piece(piece).coarsest;
+        for (int j = 0; j < scene.curves.segment_count(piece, level); ++j) {
+            if (!is_alone(scene, {piece, j}, level)) continue;
+            ++alone;
+            EXPECT_EQ(scene.curves.piece(piece).outline, 1);
+        }
+    }
+    EXPECT_GT(alone, 5);
+}
+
 }  // namespace
 }  // namespace touchline

@@ -6,8 +6,11 @@
 #include "tests/lab/bench/workload.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <utility>
+#include <vector>
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
@@ -93,6 +96,81 @@ TEST(Boxes, HoldEveryFinerLevelOfRandomOutlines) {
         all = {all.nodes + count.nodes, all.points + count.points, all.outside + count.outside};
     }
     expect_held(all);
+}
+
+/// A walk of nodes with their boxes, some without length, of edges from 1 nm to 1 mm.
+struct Walk {
+    std::vector<Position> points;
+    std::vector<PackedExtents> extents;
+
+    Walk(trials::Random& random, std::size_t nodes) {
+        Position at = random.place();
+        const double edge_m = random.decade(-9.0, -3.0);
+        const double sharpness = random.unit() < 0.5 ? 0.2 : 6.0;
+        double angle = 6.0 * random.unit();
+        for (std::size_t i = 0; i <= nodes; ++i) {
+            points.push_back(at);
+            angle += sharpness * (random.unit() - 0.5);
+            const double length_m = random.below(20) == 0 ? 0.0 : edge_m * (0.2 + random.unit());
+            at += length_m * Position{std::cos(angle), std::sin(angle)};
+            const auto beyond = [&] { return random.below(3) == 0 ? 0.0 : random.decade(-4, 0.5); };
+            extents.emplace_back(-beyond(), 1.0 + beyond(), -beyond(), beyond());
+        }
+    }
+
+    [[nodiscard]] Box box(std::size_t j, bool is_bare) const {
+        const Segment s{points[j], points[j + 1]};
+        return is_bare ? box_of(s) : box_of(s, extents[j]);
+    }
+};
+
+TEST(Boxes, ThoseFurtherAlongAreSiftedOutOnlyWhereTheyAreApart) {
+    constexpr std::size_t fours = 8;
+    trials::Random random(36);
+    int apart = 0;
+    int sifted = 0;
+    for (int trial = 0; trial < 2000; ++trial) {
+        const Walk walk(random, Fan::width * (fours + 1));
+        const bool is_bare = trial % 2 == 0;
+        const double reach_m = random.decade(-11.0, -3.0);
+        std::array<Apart, fours> found;
+        sift_ahead(walk.points.data(), is_bare ? nullptr : walk.extents.data(), reach_m, found);
+        const auto look_at = [&](unsigned bits, std::size_t k, std::size_t j, std::size_t ahead) {
+            const bool is_sifted = (bits >> k & 1U) != 0;
+            const bool is_met =
+                overlap(walk.box(j, is_bare), walk.box(j + ahead, is_bare), reach_m);
+            apart += is_met ? 0 : 1;
+            sifted += is_sifted ? 1 : 0;
+            EXPECT_FALSE(is_sifted && is_met) << trial << " " << j << " " << ahead;
+        };
+        for (std::size_t j = 0; j < Fan::width * fours; ++j) {
+            const std::size_t k = j % Fan::width;
+            look_at(found[j / Fan::width].by_two, k, j, 2);
+            if (k % 2 == 0) look_at(found[j / Fan::width].by_three, k, j, 3);
+        }
+    }
+    EXPECT_GT(sifted, apart * 9 / 10);
+    EXPECT_GT(apart, 10000);
+}
+
+TEST(Boxes, ExtentsArePackedOutwardByLessThanOnePercent) {
+    trials::Random random(7);
+    for (int trial = 0; trial < 100000; ++trial) {
+        const auto any = [&] {
+            const double x = random.decade(-45.0, 37.0);
+            return random.below(2) == 0 ? x : static_cast<double>(static_cast<float>(x));
+        };
+        const double low = random.below(10) == 0 ? 0.0 : -any();
+        const double high = random.below(10) == 0 ? 0.0 : any();
+        const PackedExtents packed(low, high, -high, -low);
+        for (const auto& [held, by] :
+             {std::pair(low, packed.along_low()), std::pair(-high, packed.across_low())}) {
+            EXPECT_LE(by, held);
+            EXPECT_GE(by, 1.01 * held - 1e-38);
+        }
+        EXPECT_EQ(packed.along_high(), -packed.across_low());
+        EXPECT_EQ(packed.across_high(), -packed.along_low());
+    }
 }
 
 }  // namespace

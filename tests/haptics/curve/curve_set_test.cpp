@@ -74,7 +74,7 @@ struct Arcs {
     }
 };
 
-RC_GTEST_PROP(Pins, AreSharpAndNoSharpVertexIsFarFromOne, ()) {
+RC_GTEST_PROP(Pins, AreSharpAndEverySharpVertexIsNearOneAsSharp, ()) {
     const auto seed = *rc::gen::arbitrary<unsigned>();
     const auto parts = *rc::gen::element(1, 2, 7, 40);
     const PinRule rule;
@@ -91,17 +91,47 @@ RC_GTEST_PROP(Pins, AreSharpAndNoSharpVertexIsFarFromOne, ()) {
         const Arcs arcs(dense);
         const double reach = std::min(rule.reach_m, arcs.s.back() / 16.0);
         const auto pins = find_pins({dense}, rule)[0];
-        for (const std::size_t pin : pins) {
-            RC_ASSERT(arcs.turn_rad(pin, reach) > rule.turn_rad - 1e-9);
-        }
+        std::vector<double> turns_rad;  // of the pins
+        for (const std::size_t pin : pins) turns_rad.push_back(arcs.turn_rad(pin, reach));
+        for (const double turn_rad : turns_rad) RC_ASSERT(turn_rad > rule.turn_rad - 1e-9);
         for (std::size_t i = 0; i < dense.points.size(); ++i) {
-            if (arcs.turn_rad(i, reach) <= rule.turn_rad + 1e-9) continue;
-            const bool has_near = std::any_of(pins.begin(), pins.end(), [&](std::size_t pin) {
-                return arcs.between(i, pin) <= rule.apart_m + 1e-12;
-            });
+            const double turn_rad = arcs.turn_rad(i, reach);
+            if (turn_rad <= rule.turn_rad + 1e-9) continue;
+            bool has_near = false;
+            for (std::size_t k = 0; k < pins.size(); ++k) {
+                has_near |= arcs.between(i, pins[k]) <= rule.apart_m + 1e-12 &&
+                            turns_rad[k] >= turn_rad - 1e-9;
+            }
             RC_ASSERT(has_near);
         }
     }
+}
+
+RC_GTEST_PROP(Pins, AWantedOneIsTheNearestVertexTheFirstOfEquals, (unsigned seed)) {
+    std::vector<Outline> outlines = scenes::random_map(seed, 2).outlines;
+    outlines.push_back(scenes::rough_ring(seed, 1e-3).outlines[0]);
+    for (Outline& outline : outlines) outline.points.push_back(outline.points.front());
+    const auto offset = [] { return 1e-3 * *rc::gen::inRange(-50, 50); };
+    std::vector<PinPlace> wanted;
+    std::vector<std::vector<std::size_t>> pins(outlines.size());
+    auto expected = pins;
+    for (int i = 0; i < 20; ++i) {
+        const auto outline = *rc::gen::inRange<std::size_t>(0, outlines.size());
+        const auto& points = outlines[outline].points;
+        const Position place = i % 2 == 0
+                                   ? Position{offset(), offset()}
+                                   : points[*rc::gen::inRange<std::size_t>(0, points.size())];
+        wanted.push_back({static_cast<int>(outline), place});
+        const auto nearest = std::ranges::min_element(
+            points, {}, [&](Position p) { return dot(p - place, p - place); });
+        expected[outline].push_back(static_cast<std::size_t>(nearest - points.begin()));
+    }
+    for (auto& own : expected) {
+        std::ranges::sort(own);
+        own.erase(std::unique(own.begin(), own.end()), own.end());
+    }
+    add_pins(outlines, wanted, pins);
+    RC_ASSERT(pins == expected);
 }
 
 TEST(CurveSet, KeepsEveryVertexAndSplitsLongEdgesIntoCollinearParts) {
