@@ -10,7 +10,7 @@ using P = OperatorPlace;
 
 constexpr std::string_view how_to_enter =
     "Press Up once for 1, twice for 2 and so on; Down for 0. Press Select to accept each digit. "
-    "After the last one, press Select once more.";
+    "After the last one, press Select once more. Press Back to begin again.";
 
 // The words of the PIN's screens name the lengths.
 static_assert(shortest_pin == 4 && longest_pin == 8);

@@ -103,7 +103,7 @@ class PictureRows {
     [[nodiscard]] std::string told_pictures(const ListPart& part) const {
         if (is_by_key(part)) return pictures_in_words(part.size(), language_);
         const std::string first = name_at(part.first);
-        if (!stick_) return language_.text("visit", "first: {0}", {first});
+        if (!stick_) return language_.text("visit", "starting with {0}", {first});
         return language_.text("visit", "{0} to {1}", {first, name_at(part.end - 1)});
     }
 

@@ -18,7 +18,7 @@ void write_attract(VisitSheet& sheet) {
 void write_language(VisitSheet& sheet) {
     if (!has_keys(sheet.world)) {
         sheet.sentence(moves_by_itself(sheet.world)
-                           ? "Choices come by themselves; your switch is Select."
+                           ? "Choices are read out in turn; your switch is Select."
                            : "One switch moves on, the other is Select.");
         sheet.sentence("After the last come Repeat, Back and Help.");
     } else {

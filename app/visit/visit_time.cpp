@@ -280,7 +280,7 @@ void lead(VisitWork& work, const Guide& guide, const std::string& announcement) 
     shake(work, HandlePattern::chosen);
     std::string text = announcement;
     add_sentence(text, words(work, has_keys(work.world) ? "Press any key to stop it."
-                                                        : "Press a switch to stop it."));
+                                                        : "Press your switch to stop it."));
     say(work, text);
 }
 

@@ -74,7 +74,7 @@ struct ThingsFound {
 
 /// The line of a delivery if no clear thing lies at the requested place.
 inline constexpr std::string_view nothing_there =
-    "Nothing clear lies there. Move the handle elsewhere and try again.";
+    "Nothing clear was found there. Move the handle elsewhere and try again.";
 
 /// The kinds of second looks that are possible.
 struct SecondLooks {

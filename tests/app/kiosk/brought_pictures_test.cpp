@@ -165,7 +165,7 @@ TEST(ThingHere, IsSaidWhetherItWasFoundOrNotAndThePictureStays) {
     (void)world.kiosk().take_report();
 
     ASSERT_TRUE(visitor.choose("Find the thing under my hand")) << visitor.heard();
-    ASSERT_TRUE(visitor.wait_for("Nothing clear lies there")) << visitor.heard();
+    ASSERT_TRUE(visitor.wait_for("Nothing clear was found there")) << visitor.heard();
     EXPECT_EQ(world.kiosk().take_report(), "") << "that is an answer, no trouble";
 
     ASSERT_TRUE(visitor.choose("Find the thing under my hand")) << visitor.heard();

@@ -69,7 +69,7 @@ SpokenScreen keys_screen(const Language& language) {
     constexpr std::array keys{
         std::pair{"Up", "Goes to the previous item."},
         std::pair{"Down", "Goes to the next item."},
-        std::pair{"Back", "Goes one screen back. Press it again to leave the help."},
+        std::pair{"Back", "Leaves a screen. Press it again to leave the help."},
         std::pair{"Repeat", "Repeats the last words. Press it twice for the whole screen."},
         std::pair{"Select", "Chooses the item."},
         std::pair{"Help", "Explains the keys. Press it again to call the staff."},

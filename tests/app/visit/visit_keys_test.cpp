@@ -123,7 +123,7 @@ TEST(Visit, IN6_HelpNamesEachKeyAndLeavesAfterTwo) {
         EXPECT_EQ(house.open(), VisitScreen::help);
     }
     house.press(KeyRole::back);
-    EXPECT_EQ(house.last_said(), "Back. Goes one screen back. Press it again to leave the help.");
+    EXPECT_EQ(house.last_said(), "Back. Leaves a screen. Press it again to leave the help.");
     EXPECT_EQ(house.open(), VisitScreen::help) << "once does not leave";
     house.wait(20.0);
     house.press(KeyRole::back);

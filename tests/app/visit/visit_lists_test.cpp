@@ -142,7 +142,7 @@ TEST(VisitLists, APartThatEndsWithinAGradeTellsItsFirstPicture) {
     to_choose(house);
     ASSERT_TRUE(house.choose("Gallery"));
     ASSERT_TRUE(house.choose("easy"));
-    EXPECT_EQ(house.last_said(), "easy. Pictures 9 to 12, first: Letter 9, 1 of 3");
+    EXPECT_EQ(house.last_said(), "easy. Pictures 9 to 12, starting with Letter 9, 1 of 3");
     house.press(KeyRole::select);
     EXPECT_EQ(house.last_said(), "Pictures 9 to 12. Letter 9, picture 9 of 40");
 }

@@ -246,7 +246,7 @@ TEST(Visit, WithOneSwitchNobodyIsToldToMoveOn) {
     FakeHouse house;
     house.settings.two_switches = SwitchUse::by_itself;
     house.press(KeyRole::select);
-    EXPECT_TRUE(house.has_said("Choices come by themselves; your switch is Select.", 0));
+    EXPECT_TRUE(house.has_said("Choices are read out in turn; your switch is Select.", 0));
     const std::size_t before = house.transcript.size();
     house.wait(3.0);
     EXPECT_FALSE(house.has_said("Deutsch:", before)) << "the list itself comes to it";

@@ -217,8 +217,8 @@ TEST(Visit, TheThingUnderTheHandIsOpenedAndOtherwiseThePictureStays) {
     EXPECT_NEAR(wanted.thing_at->x, 0.02, 1e-9);
     const std::uint64_t whole = house.visit.visitor.felt->order.request;
     house.apply(PictureFailed{
-        wanted.request, "Nothing clear lies there. Move the handle elsewhere and try again."});
-    EXPECT_TRUE(house.has_said("Nothing clear lies there", 0)) << house.last_said();
+        wanted.request, "Nothing clear was found there. Move the handle elsewhere and try again."});
+    EXPECT_TRUE(house.has_said("Nothing clear was found there", 0)) << house.last_said();
     EXPECT_EQ(house.open(), VisitScreen::picture);
     EXPECT_EQ(house.visit.visitor.felt->order.request, whole);
     ASSERT_TRUE(house.choose("Find the thing under my hand"));

@@ -164,7 +164,8 @@ TEST(Loading, WhereNothingLiesUnderTheHandAllStaysAsItWas) {
     world.end();  // looked at
     world.want_thing(3, {0.01, 0.0});
     world.until_felt();
-    EXPECT_EQ(world.last(), "Nothing clear lies there. Move the handle elsewhere and try again.");
+    EXPECT_EQ(world.last(),
+              "Nothing clear was found there. Move the handle elsewhere and try again.");
     world.want_thing(3, {0.0, 0.04});
     world.until_felt();
     EXPECT_EQ(world.last(), "no memory");
