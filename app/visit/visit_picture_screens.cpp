@@ -86,7 +86,7 @@ std::string told_zoom(const VisitSheet& sheet) {
                                 words_of(place_of(zoom.centre, CueArea{}), sheet.language)});
 }
 
-/// Of a single part the item's name tells enough.
+/// The item's name tells enough of a single part.
 std::string told_part_count(const VisitSheet& sheet) {
     const auto count = static_cast<int>(facts_of(sheet).parts.size());
     if (count == 1) return {};

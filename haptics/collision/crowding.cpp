@@ -312,7 +312,7 @@ void Crowding::mark(SegmentRef a, int level) {
     if (level == 0) settled_[node_at(a, level)] = true;
 }
 
-/// For a node that is not alone; level > 0.
+/// The node is not alone; level > 0.
 void Crowding::settle(SegmentRef a, int level) {
     const Parts parts = children(a, level);
     for (int i = 0; i < parts.count; ++i) {

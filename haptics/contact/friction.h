@@ -18,7 +18,7 @@ namespace touchline {
 /// Infinite where the cone holds it anywhere. `friction` > 0.
 [[nodiscard]] inline double angle_held_by_friction_rad(double friction, double offset_m,
                                                        double distance_m) {
-    // At angle b before the pull's direction:
+    // The angle b before the pull's direction obeys
     // distance sin b = friction (offset - distance cos b).
     const double lean_rad = std::atan(friction);
     const double sine = offset_m * std::sin(lean_rad) / distance_m;

@@ -10,7 +10,7 @@
 
 namespace touchline {
 
-// In a language of every_language().
+// They are in a language of every_language().
 
 /// Empty if no visit opens this screen.
 [[nodiscard]] std::optional<SpokenScreen> visit_screen(VisitScreen wanted,

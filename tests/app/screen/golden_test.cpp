@@ -29,7 +29,7 @@ GreyPicture read_grey(const std::string& file) {
     return grey_of(canvas);
 }
 
-/// In pixels of a picture.
+/// A part of a picture, in its pixels.
 struct Cell {
     int left = 0;
     int top = 0;

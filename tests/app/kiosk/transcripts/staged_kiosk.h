@@ -74,7 +74,7 @@ class StagedKiosk : private Pinned {
     /// switch and listens to one thing.
     void choose_when_it_comes(int id);
 
-    /// With two switches: moves on until this key is said, which comes after the items of the
+    /// Moves on by two switches until this key is said, which comes after the items of the
     /// screen, and selects it. Not for Back where the last item is called so.
     void choose_key(KeyRole role);
 
