@@ -45,7 +45,8 @@ bool is_said_again(VisitWork& work, const std::string& language, const std::stri
 /// Counts the hint of the focused item as said if the screen's text says it too.
 void note_hint(VisitWork& work, const SpokenScreen& screen) {
     if (!screen.focus || !untold_hint(screen).empty()) return;
-    hint_of(work.visitor, screen.items[*screen.focus].hint).said(work.site.now_s);
+    const std::string& hint = screen.items[*screen.focus].hint;
+    if (!hint.empty()) hint_of(work.visitor, hint).said(work.site.now_s);
 }
 
 }  // namespace
