@@ -41,13 +41,14 @@ struct Nearest {
     const Position along = segment.b - segment.a;
     const Position offset = segment.a - from;
     const double area = cross(way, along);
-    const double sign = area < 0.0 ? -1.0 : 1.0;
-    const double whole = sign * area;
+    const double sign = std::copysign(1.0, area);
+    const double whole = std::abs(area);
     const double on_segment = sign * cross(offset, way);
     const double on_motion = sign * cross(offset, along);
-    // Nearly always they do not meet, and this needs no division.
-    const bool is_met = on_segment >= 0.0 && on_segment <= whole && on_motion >= 0.0 &&
-                        on_motion <= whole && whole > 0.0;
+    // Nearly always they do not meet, and this needs no division. Joined by & because which of the
+    // five fails is chance: one branch is foreseen, five are not.
+    const bool is_met = (on_segment >= 0.0) & (on_segment <= whole) & (on_motion >= 0.0) &
+                        (on_motion <= whole) & (whole > 0.0);
     return is_met ? std::optional(on_motion / whole) : std::nullopt;
 }
 

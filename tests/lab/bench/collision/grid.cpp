@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace touchline::bench {
 namespace {
@@ -10,28 +9,31 @@ namespace {
 // Edges are entered into every cell that they pass nearer than this. It is far more than the
 // rounding, so the walk finds a crossing on a border from whichever cell it is in.
 constexpr double border_m = 1e-12;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double most_blocks = 2048.0;  // each way
+constexpr double farthest_cells = 1e9;  // so that a cell's number fits an int
 
-/// The walk of a motion along one axis.
+/// The walk of a motion along one axis, in cells. Without branches: which way a motion goes, no
+/// processor can foresee.
 struct Axis {
-    double from, low, cell_m;
-    double shares_per_m = 0.0;  // of the motion
-    int step = 0;
+    double from;
+    double share_of_cell;  // of the motion; infinite if it does not go along this axis
+    int step;              // 1 or -1
+    int ahead;             // 1 if it leaves a cell at its upper border, otherwise 0
 
-    Axis(double from_m, double way_m, double low_m, double cell)
-        : from(from_m), low(low_m), cell_m(cell) {
-        if (way_m == 0.0) return;
-        shares_per_m = 1.0 / way_m;
-        step = way_m > 0.0 ? 1 : -1;
+    Axis(double from_cells, double way_cells)
+        : from(from_cells),
+          share_of_cell(1.0 / std::abs(way_cells)),
+          step(way_cells < 0.0 ? -1 : 1),
+          ahead(way_cells < 0.0 ? 0 : 1) {}
+
+    /// Returns the share of the motion at which it leaves `cells` cells that begin at `lowest`.
+    [[nodiscard]] double leaves(int lowest, int cells) const {
+        return std::abs(lowest + ahead * cells - from) * share_of_cell;
     }
 
-    /// Returns the share of the motion at which it leaves the first of `cells` cells, seen along
-    /// the motion.
-    [[nodiscard]] double leaves(int lowest_cell, int cells) const {
-        if (step == 0) return infinity;
-        const int border = step > 0 ? lowest_cell + cells : lowest_cell;
-        return (low + border * cell_m - from) * shares_per_m;
+    /// Returns the cell that follows on them.
+    [[nodiscard]] int after(int lowest, int cells) const {
+        return ahead == 1 ? lowest + cells : lowest - 1;
     }
 };
 
@@ -110,49 +112,49 @@ void Grid::fill() {
 }
 
 std::optional<Crossing> Grid::first_crossing(Position from, Position to) const {
-    const Position way = to - from;
-    const Axis x(from.x, way.x, low_.x, cell_m_);
-    const Axis y(from.y, way.y, low_.y, cell_m_);
-    const double cell_x = cell_m_ * std::abs(x.shares_per_m);
-    const double cell_y = cell_m_ * std::abs(y.shares_per_m);
-    Cell cell = cell_of(from);
+    // The only object returned: with a second one each answer is copied, about 20 ns a query.
     std::optional<Crossing> first;
+    const Position way = to - from;
+    const Position begin = in_cells(from);
+    const Position along = cells_per_m_ * way;
+    const double reach =
+        std::abs(begin.x) + std::abs(begin.y) + std::abs(along.x) + std::abs(along.y);
+    if (!(reach < farthest_cells)) return first;
+    const Axis x(begin.x, along.x);
+    const Axis y(begin.y, along.y);
+    Cell cell = cell_at(begin);
+    double leaves_x = x.leaves(cell.x, 1);
+    double leaves_y = y.leaves(cell.y, 1);
     while (true) {
-        const Cell low{cell.x & -block, cell.y & -block};  // of its block
         const std::uint32_t stored = block_at(cell);
         if (stored == empty) {
-            const double leaves_x = x.leaves(low.x, block);
-            const double leaves_y = y.leaves(low.y, block);
+            const Cell low{cell.x & -block, cell.y & -block};  // of its block
+            leaves_x = x.leaves(low.x, block);
+            leaves_y = y.leaves(low.y, block);
             const double leaves = std::min(leaves_x, leaves_y);
             if (!(leaves <= 1.0)) return first;
             // Across the border exactly; along it, where the motion is.
-            const Cell there = cell_of(from + leaves * way);
-            const bool is_x = leaves_x <= leaves_y;
-            cell = is_x ? Cell{x.step > 0 ? low.x + block : low.x - 1,
-                               std::clamp(there.y, low.y, low.y + block - 1)}
-                        : Cell{std::clamp(there.x, low.x, low.x + block - 1),
-                               y.step > 0 ? low.y + block : low.y - 1};
+            const Cell there = cell_at(begin + leaves * along);
+            cell = leaves_x <= leaves_y
+                       ? Cell{x.after(low.x, block), std::clamp(there.y, low.y, low.y + block - 1)}
+                       : Cell{std::clamp(there.x, low.x, low.x + block - 1), y.after(low.y, block)};
+            leaves_x = x.leaves(cell.x, 1);
+            leaves_y = y.leaves(cell.y, 1);
             continue;
         }
-        double leaves_x = x.leaves(cell.x, 1);
-        double leaves_y = y.leaves(cell.y, 1);
-        const std::uint32_t* const block_first =
-            &first_[static_cast<std::size_t>(stored) * block * block];
-        for (bool is_in_block = true; is_in_block;) {
-            const std::uint32_t* const at = block_first + place_in_block(cell);
-            for (std::uint32_t k = at[0]; k < at[1]; ++k) {
-                keep_first(first, from, way, entries_[k].segment, entries_[k].edge);
-            }
-            const double leaves = std::min(leaves_x, leaves_y);
-            if (!(leaves <= 1.0) || (first && first->share <= leaves)) return first;
-            if (leaves_x <= leaves_y) {
-                cell.x += x.step;
-                leaves_x += cell_x;
-            } else {
-                cell.y += y.step;
-                leaves_y += cell_y;
-            }
-            is_in_block = (cell.x & -block) == low.x && (cell.y & -block) == low.y;
+        const std::uint32_t* const at =
+            &first_[static_cast<std::size_t>(stored) * block * block + place_in_block(cell)];
+        for (std::uint32_t k = at[0]; k < at[1]; ++k) {
+            keep_first(first, from, way, entries_[k].segment, entries_[k].edge);
+        }
+        const double leaves = std::min(leaves_x, leaves_y);
+        if (!(leaves <= 1.0) || (first && first->share <= leaves)) return first;
+        if (leaves_x <= leaves_y) {
+            cell.x += x.step;
+            leaves_x += x.share_of_cell;
+        } else {
+            cell.y += y.step;
+            leaves_y += y.share_of_cell;
         }
     }
 }

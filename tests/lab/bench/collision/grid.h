@@ -17,7 +17,8 @@ class Grid {
     Grid(ClosedCurve curve, double edges_per_cell);
 
     /// Walks the cells that the motion passes, in order (after Amanatides and Woo, 1987), and stops
-    /// after the first that holds a crossing.
+    /// after the first that holds a crossing. Finds none on a motion that is not finite or reaches
+    /// beyond 1e9 cells.
     [[nodiscard]] std::optional<Crossing> first_crossing(Position from, Position to) const;
 
     [[nodiscard]] double cell_m() const { return cell_m_; }
@@ -38,14 +39,16 @@ class Grid {
 
     // Defined here so that the compiler may inline them in position-independent code.
 
-    [[nodiscard]] static int floor_of(double v) {
-        const int truncated = static_cast<int>(v);
-        return truncated - (v < truncated ? 1 : 0);
+    /// Returns a position in cells, from the lowest corner of the grid.
+    [[nodiscard]] Position in_cells(Position p) const { return cells_per_m_ * (p - low_); }
+
+    /// Cuts off the fraction. The outermost cells stand for those just outside too: nothing but
+    /// edges on their inner border is in them.
+    [[nodiscard]] static Cell cell_at(Position in_cells) {
+        return {static_cast<int>(in_cells.x), static_cast<int>(in_cells.y)};
     }
 
-    [[nodiscard]] Cell cell_of(Position p) const {
-        return {floor_of((p.x - low_.x) * cells_per_m_), floor_of((p.y - low_.y) * cells_per_m_)};
-    }
+    [[nodiscard]] Cell cell_of(Position p) const { return cell_at(in_cells(p)); }
 
     [[nodiscard]] std::size_t block_index(Cell cell) const {
         return static_cast<std::size_t>(cell.y / block) * static_cast<std::size_t>(columns_) +

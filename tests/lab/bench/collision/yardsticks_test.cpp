@@ -9,6 +9,8 @@
 #include "tests/lab/bench/workload.h"
 
 #include <array>
+#include <cmath>
+#include <limits>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -55,22 +57,47 @@ INSTANTIATE_TEST_SUITE_P(EdgesPerCell, GridOnCurves, testing::Values(0.25, 1.0, 
                                     std::to_string(static_cast<int>(100.0 * test.param));
                          });
 
-TEST(Grid, FindsCrossingsAtCornersOfCellsAndMotionsAlongBorders) {
-    // Cells of 1 m, so that borders run through the corners of the square.
-    const std::vector<Position> square{{0, 0}, {2, 0}, {2, 2}, {0, 2}};
-    const Grid grid(square, 0.5);
+TEST(Grid, FindsCrossingsOnBordersOfCellsAndOfMotionsAlongThem) {
+    // Cells of 1 m, so that all edges lie on borders; the motions join their corners and middles,
+    // also from outside the grid.
+    const std::vector<Position> plus{{2, 0}, {4, 0}, {4, 2}, {6, 2}, {6, 4}, {4, 4},
+                                     {4, 6}, {2, 6}, {2, 4}, {0, 4}, {0, 2}, {2, 2}};
+    const Grid grid(plus, 0.5);
     ASSERT_DOUBLE_EQ(grid.cell_m(), 1.0);
-    const BruteForce brute(square);
-    for (const double x : {-1.0, 0.0, 1.0, 2.0}) {
-        for (const double y : {-1.0, 0.0, 1.0, 2.0}) {
-            const auto expected = brute.first_crossing({x, y}, {3.0 - x, 3.0 - y});
-            const auto found = grid.first_crossing({x, y}, {3.0 - x, 3.0 - y});
-            ASSERT_EQ(found.has_value(), expected.has_value()) << x << " " << y;
+    const BruteForce brute(plus);
+    std::vector<Position> places;
+    for (int i = -4; i <= 16; ++i) {
+        for (int j = -4; j <= 16; ++j) places.push_back({0.5 * i, 0.5 * j});
+    }
+    for (const Position from : places) {
+        for (const Position to : places) {
+            const auto expected = brute.first_crossing(from, to);
+            const auto found = grid.first_crossing(from, to);
+            ASSERT_EQ(found.has_value(), expected.has_value())
+                << from.x << " " << from.y << ", " << to.x << " " << to.y;
             if (found) {
-                EXPECT_EQ(found->share, expected->share) << x << " " << y;
+                ASSERT_EQ(found->share, expected->share);
             }
-            EXPECT_EQ(grid.first_crossing({x, -1.0}, {x, 3.0}).has_value(),
-                      brute.first_crossing({x, -1.0}, {x, 3.0}).has_value());
+        }
+    }
+}
+
+TEST(Grid, FindsCrossingsOfMotionsFromFarAwayAndNoneOfThoseThatAreNotFinite) {
+    const auto curve = workload::curve(workload::Kind::fractal, 512);
+    const Grid grid(curve, 1.0);
+    const BruteForce brute(curve);
+    for (int i = 0; i < 32; ++i) {
+        const Position far{10.0 * std::cos(0.2 * i), 10.0 * std::sin(0.2 * i)};
+        const auto found = grid.first_crossing(far, {0.0, 0.0});
+        ASSERT_TRUE(found.has_value());
+        EXPECT_EQ(found->share, brute.first_crossing(far, {0.0, 0.0})->share);
+        EXPECT_FALSE(grid.first_crossing(far, 2.0 * far));
+    }
+    const double infinity = std::numeric_limits<double>::infinity();
+    for (const double bad : {std::nan(""), infinity, -infinity, 1e300}) {
+        for (const Position p : {Position{bad, 0.0}, Position{0.0, bad}, Position{bad, bad}}) {
+            EXPECT_FALSE(grid.first_crossing(p, {0.0, 0.0}));
+            EXPECT_FALSE(grid.first_crossing({0.0, 0.0}, p));
         }
     }
 }
