@@ -13,13 +13,34 @@
 
 namespace touchline {
 
+/// What was found of pieces that a build from the same CurveSource, with more pins, has again.
+struct KnownPieces {
+    struct Entry {
+        int outline = 0;
+        bool is_closed = false;
+        std::size_t first_vertex = 0;
+        std::size_t last_vertex = 0;
+        int edges = 0;              // at level 0
+        std::size_t first_box = 0;  // of its own among the extents
+    };
+
+    std::vector<Entry> entries;  // in the order of the pieces
+    std::vector<PackedExtents> extents;
+    std::vector<MeetingNodes> meetings;
+};
+
 class CollisionTreeBuilder {
   public:
-    /// Bounds all levels. The curves must outlive the builder. O(N).
-    explicit CollisionTreeBuilder(const CurveSet& curves);
+    /// Bounds all levels. A piece that is known, between the same vertices and with as many edges,
+    /// must have the same points: it is neither bounded again nor compared with others of that
+    /// kind. The curves must outlive the builder. O(N).
+    explicit CollisionTreeBuilder(const CurveSet& curves, KnownPieces known = {});
 
     /// Returns which nodes come as near as a point's contact skin.
     [[nodiscard]] Meetings find_meetings() const;
+
+    /// Gives up the boxes for another builder; `meetings` are those found.
+    [[nodiscard]] KnownPieces known_pieces(Meetings meetings) &&;
 
     /// Builds the hierarchy anew; call when the levels of the curves were limited.
     void hang();
@@ -34,6 +55,8 @@ class CollisionTreeBuilder {
         Position middle;  // twice that of its middle node
     };
 
+    [[nodiscard]] KnownPieces::Entry entry_of(int piece) const;
+    [[nodiscard]] std::span<PackedExtents> boxes_of(int piece);
     void bound_level(int piece, int level);
     void add_stretches(int piece, int level, std::vector<Stretch>& stretches) const;
     void bound_roots(std::size_t at, std::span<Root> roots, std::size_t first);
@@ -43,6 +66,8 @@ class CollisionTreeBuilder {
 
     const CurveSet& curves_;
     CollisionTree tree_;
+    std::vector<bool> is_known_;                // per piece
+    std::vector<MeetingNodes> known_meetings_;  // of two known pieces
 };
 
 }  // namespace touchline

@@ -107,6 +107,7 @@ Crowding::Crowding(const CollisionTree& tree, const CurveSet& curves, double rea
     : tree_(tree),
       curves_(curves),
       reach_m_(2.0 * reach_m),
+      is_known_(static_cast<std::size_t>(curves.piece_count()), false),
       left_(64 * curves.point_count() + 4096) {}
 
 std::vector<bool> Crowding::find_alone() {
@@ -117,21 +118,70 @@ std::vector<bool> Crowding::find_alone() {
     return std::move(alone_);
 }
 
-Meetings Crowding::find_meetings() {
+Meetings Crowding::find_meetings(std::vector<MeetingNodes> known,
+                                 const std::vector<bool>& is_known) {
+    meetings_ = std::move(known);
+    is_known_ = is_known;
+    put_known_in_order();
     walk();
+    std::ranges::sort(meetings_);
     return {std::move(meetings_), left_ > 0};
 }
 
+/// Of two nodes under different roots the walk meets that first whose root lies first in the
+/// hierarchy.
+void Crowding::put_known_in_order() {
+    if (meetings_.empty()) return;
+    std::vector<int> first_stretch;  // per piece, in `place`
+    int stretches = 0;
+    for (int piece = 0; piece < curves_.piece_count(); ++piece) {
+        first_stretch.push_back(stretches);
+        const int roots = curves_.segment_count(piece, curves_.piece(piece).coarsest);
+        stretches += (roots + Fan::width - 1) / Fan::width;
+    }
+    std::vector<int> place(tree_.roots_.size());  // of a piece's stretches, in the hierarchy
+    const auto place_of = [&](SegmentRef root) -> int& {
+        return place[static_cast<std::size_t>(first_stretch[static_cast<std::size_t>(root.piece)] +
+                                              root.index / Fan::width)];
+    };
+    for (std::size_t i = 0; i < tree_.roots_.size(); ++i) {
+        place_of({tree_.roots_[i].piece, tree_.roots_[i].first}) = static_cast<int>(i);
+    }
+    for (auto& [level, nodes] : meetings_) {
+        const SegmentRef a = root_of(nodes[0], level);
+        const SegmentRef b = root_of(nodes[1], level);
+        const bool is_along_piece =
+            a.piece == b.piece && (a == b || are_neighbours(a, b, curves_.coarsest()));
+        if (!is_along_piece && place_of(b) < place_of(a)) std::swap(nodes[0], nodes[1]);
+    }
+}
+
 void Crowding::walk() {
+    find_known_bounds();
     if (!tree_.bounds_.empty()) within_hierarchy(0);
     for (int piece = 0; piece < curves_.piece_count(); ++piece) {
+        if (is_known_[static_cast<std::size_t>(piece)]) continue;
         for (int level = curves_.piece(piece).coarsest - 1; level >= finest(); --level) {
             along_level(piece, level);
         }
     }
 }
 
+/// Children come after their parents.
+void Crowding::find_known_bounds() {
+    is_known_bound_.resize(tree_.bounds_.size());
+    for (std::size_t i = tree_.bounds_.size(); i-- > 0;) {
+        const int left = tree_.bounds_[i].left;
+        const auto child = static_cast<std::size_t>(left);
+        is_known_bound_[i] = left < 0
+                                 ? is_known_[static_cast<std::size_t>(
+                                       tree_.roots_[static_cast<std::size_t>(-left - 1)].piece)]
+                                 : is_known_bound_[child] && is_known_bound_[child + 1];
+    }
+}
+
 void Crowding::within_hierarchy(std::size_t bound) {
+    if (is_known_bound_[bound]) return;
     const auto left = tree_.bounds_[bound].left;
     if (left < 0) {
         const auto roots = static_cast<std::size_t>(-left - 1);
@@ -147,7 +197,7 @@ void Crowding::within_hierarchy(std::size_t bound) {
 void Crowding::between_bounds(std::size_t a, std::size_t b) {
     const auto& bound_a = tree_.bounds_[a];
     const auto& bound_b = tree_.bounds_[b];
-    if (left_ == 0) return;
+    if (left_ == 0 || (is_known_bound_[a] && is_known_bound_[b])) return;
     --left_;
     if (!overlap(bound_a.box(), bound_b.box(), reach_m_)) return;
     if (bound_a.left < 0 && bound_b.left < 0) {
@@ -252,7 +302,8 @@ void Crowding::between_strangers(SegmentRef a, SegmentRef b, int level) {
 /// may meet.
 void Crowding::crowd(SegmentRef a, SegmentRef b, int level) {
     if (is_pair_wanted()) {
-        if (level > 0) meetings_.push_back({level, {{a, b}}});
+        const bool is_either = level_of(a, level) == level || level_of(b, level) == level;
+        if (level > 0 && is_either) meetings_.push_back({level, {{a, b}}});
     } else {
         mark(a, level);
         mark(b, level);
@@ -270,6 +321,10 @@ void Crowding::crowd(SegmentRef a, SegmentRef b, int level) {
 
 int Crowding::level_of(SegmentRef a, int level) const {
     return std::min(level, curves_.piece(a.piece).coarsest);
+}
+
+SegmentRef Crowding::root_of(SegmentRef a, int level) const {
+    return {a.piece, a.index >> (curves_.piece(a.piece).coarsest - level_of(a, level))};
 }
 
 /// Returns the nodes that replace it at the next finer level; level > 0.
@@ -321,13 +376,11 @@ void Crowding::settle(SegmentRef a, int level) {
     settled_[node_at(a, level)] = true;
 }
 
-SafeLevels find_safe_levels(const CurveSet& curves, Meetings meetings) {
+SafeLevels find_safe_levels(const CurveSet& curves, const Meetings& meetings) {
     Changes changes(curves);
     if (!meetings.is_complete) changes.forbid_all();
-    auto& pairs = meetings.pairs;
-    std::ranges::sort(pairs);
-    const MeetingNodes* first = pairs.data();
-    const MeetingNodes* const end = first + pairs.size();
+    const MeetingNodes* first = meetings.pairs.data();
+    const MeetingNodes* const end = first + meetings.pairs.size();
     while (first != end) {
         const MeetingNodes* last = std::find_if(
             first, end, [&](const MeetingNodes& pair) { return pair.level != first->level; });
