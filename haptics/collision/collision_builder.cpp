@@ -153,12 +153,16 @@ CollisionTreeBuilder::CollisionTreeBuilder(const CurveSet& curves, KnownPieces k
             bound_level(piece, level);
         }
     }
-    for (MeetingNodes& pair : known.meetings) {
-        for (SegmentRef& node : pair.nodes) {
-            node.piece = piece_of[static_cast<std::size_t>(node.piece)];
+    const auto take_over = [&](std::vector<MeetingNodes>& from, std::vector<MeetingNodes>& to) {
+        for (MeetingNodes& pair : from) {
+            for (SegmentRef& node : pair.nodes) {
+                node.piece = piece_of[static_cast<std::size_t>(node.piece)];
+            }
+            if (pair.nodes[0].piece >= 0 && pair.nodes[1].piece >= 0) to.push_back(pair);
         }
-        if (pair.nodes[0].piece >= 0 && pair.nodes[1].piece >= 0) known_meetings_.push_back(pair);
-    }
+    };
+    take_over(known.meetings.pairs, known_meetings_.pairs);
+    take_over(known.meetings.close, known_meetings_.close);
     hang();
 }
 
@@ -204,12 +208,15 @@ void CollisionTreeBuilder::hang() {
     std::ranges::transform(roots, tree_.roots_.begin(), &Root::stretch);
 }
 
-Meetings CollisionTreeBuilder::find_meetings() const {
-    return Crowding(tree_, curves_, contact_skin_m).find_meetings(known_meetings_, is_known_);
+Meetings CollisionTreeBuilder::find_meetings() {
+    Meetings found = Crowding(tree_, curves_, contact_skin_m)
+                         .find_meetings(std::move(known_meetings_), is_known_);
+    close_ = found.close;
+    return found;
 }
 
 KnownPieces CollisionTreeBuilder::known_pieces(Meetings meetings) && {
-    KnownPieces known{{}, std::move(tree_.extents_), std::move(meetings.pairs)};
+    KnownPieces known{{}, std::move(tree_.extents_), std::move(meetings)};
     for (int piece = 0; piece < curves_.piece_count(); ++piece) {
         known.entries.push_back(entry_of(piece));
     }
@@ -219,7 +226,7 @@ KnownPieces CollisionTreeBuilder::known_pieces(Meetings meetings) && {
 CollisionTree CollisionTreeBuilder::finish(double radius_m) && {
     if (!tree_.roots_.empty()) lay_grid();
     const double reach_m = std::max(radius_m, contact_skin_m) + approach_tolerance_m;
-    tree_.alone_ = Crowding(tree_, curves_, reach_m).find_alone();
+    tree_.alone_ = Crowding(tree_, curves_, reach_m).find_alone(close_);
     return std::move(tree_);
 }
 

@@ -8,6 +8,7 @@
 #include "haptics/curve/curve_set.h"
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -26,7 +27,7 @@ struct KnownPieces {
 
     std::vector<Entry> entries;  // in the order of the pieces
     std::vector<PackedExtents> extents;
-    std::vector<MeetingNodes> meetings;
+    Meetings meetings;
 };
 
 class CollisionTreeBuilder {
@@ -37,7 +38,7 @@ class CollisionTreeBuilder {
     explicit CollisionTreeBuilder(const CurveSet& curves, KnownPieces known = {});
 
     /// Returns which nodes come as near as a point's contact skin.
-    [[nodiscard]] Meetings find_meetings() const;
+    [[nodiscard]] Meetings find_meetings();
 
     /// Gives up the boxes for another builder; `meetings` are those found.
     [[nodiscard]] KnownPieces known_pieces(Meetings meetings) &&;
@@ -66,8 +67,9 @@ class CollisionTreeBuilder {
 
     const CurveSet& curves_;
     CollisionTree tree_;
-    std::vector<bool> is_known_;                // per piece
-    std::vector<MeetingNodes> known_meetings_;  // of two known pieces
+    std::vector<bool> is_known_;                      // per piece
+    Meetings known_meetings_;                         // of two known pieces
+    std::optional<std::vector<MeetingNodes>> close_;  // as soon as meetings were found
 };
 
 }  // namespace touchline

@@ -11,6 +11,7 @@
 namespace touchline {
 namespace {
 
+constexpr double point_reach_m = 2.0 * (contact_skin_m + approach_tolerance_m);
 constexpr double fast_hand_spacing_m = 1.25e-3;  // a quarter of 0.5 m/s over 100 Hz
 
 /// A segment whose ends move straight and evenly.
@@ -110,7 +111,9 @@ Crowding::Crowding(const CollisionTree& tree, const CurveSet& curves, double rea
       is_known_(static_cast<std::size_t>(curves.piece_count()), false),
       left_(64 * curves.point_count() + 4096) {}
 
-std::vector<bool> Crowding::find_alone() {
+std::vector<bool> Crowding::find_alone(const std::optional<std::vector<MeetingNodes>>& close) {
+    is_close_known_ = close.has_value() && reach_m_ <= point_reach_m;
+    if (is_close_known_) close_ = *close;
     alone_.assign(curves_.point_count(), true);
     settled_.assign(curves_.point_count(), false);
     walk();
@@ -118,20 +121,22 @@ std::vector<bool> Crowding::find_alone() {
     return std::move(alone_);
 }
 
-Meetings Crowding::find_meetings(std::vector<MeetingNodes> known,
-                                 const std::vector<bool>& is_known) {
+Meetings Crowding::find_meetings(Meetings known, const std::vector<bool>& is_known) {
     meetings_ = std::move(known);
     is_known_ = is_known;
     put_known_in_order();
     walk();
-    std::ranges::sort(meetings_);
-    return {std::move(meetings_), left_ > 0};
+    std::ranges::sort(meetings_.pairs);
+    std::ranges::stable_sort(meetings_.close, {},
+                             [](const MeetingNodes& pair) { return pair.nodes[0].piece; });
+    meetings_.is_complete = left_ > 0;
+    return std::move(meetings_);
 }
 
 /// Of two nodes under different roots the walk meets that first whose root lies first in the
 /// hierarchy.
 void Crowding::put_known_in_order() {
-    if (meetings_.empty()) return;
+    if (meetings_.pairs.empty()) return;
     std::vector<int> first_stretch;  // per piece, in `place`
     int stretches = 0;
     for (int piece = 0; piece < curves_.piece_count(); ++piece) {
@@ -147,7 +152,7 @@ void Crowding::put_known_in_order() {
     for (std::size_t i = 0; i < tree_.roots_.size(); ++i) {
         place_of({tree_.roots_[i].piece, tree_.roots_[i].first}) = static_cast<int>(i);
     }
-    for (auto& [level, nodes] : meetings_) {
+    for (auto& [level, nodes] : meetings_.pairs) {
         const SegmentRef a = root_of(nodes[0], level);
         const SegmentRef b = root_of(nodes[1], level);
         const bool is_along_piece =
@@ -220,6 +225,21 @@ void Crowding::between_bounds(std::size_t a, std::size_t b) {
 /// even node the one after that. All others of the piece are met through parents that meet.
 void Crowding::along_level(int piece, int level) {
     const int count = curves_.segment_count(piece, level);
+    const std::size_t points = curves_.points(piece, level).size();
+    // Fours with as many nodes and a point behind them.
+    const std::size_t fours = points < 9 ? 0 : (points - 5) / Fan::width;
+    if (level > 0 && is_close_known_) {
+        look_at_close(piece, level);
+    } else {
+        sift_along(piece, level, fours);
+    }
+    for (int j = static_cast<int>(fours) * Fan::width; j < count; ++j) {
+        look_ahead(piece, level, j, 2);
+        if (j % 2 == 0) look_ahead(piece, level, j, 3);
+    }
+}
+
+void Crowding::sift_along(int piece, int level, std::size_t fours) {
     const auto points = curves_.points(piece, level);
     const PackedExtents* const extents =
         level == 0
@@ -227,17 +247,20 @@ void Crowding::along_level(int piece, int level) {
             : tree_.extents_.data() + (curves_.first_point(piece, level) - curves_.finest_count());
     const auto look_at = [&](unsigned near, int first, int ahead) {
         for (; near != 0; near &= near - 1) {
-            look_ahead(piece, level, first + std::countr_zero(near), ahead);
+            const int j = first + std::countr_zero(near);
+            if (is_pair_wanted()) {
+                meetings_.close.push_back({level, {{{piece, j}, {piece, j + ahead}}}});
+            }
+            look_ahead(piece, level, j, ahead);
         }
     };
-    // Fours with as many nodes and a point behind them.
-    const std::size_t fours = points.size() < 9 ? 0 : (points.size() - 5) / Fan::width;
+    const double reach_m = is_pair_wanted() ? point_reach_m : reach_m_;
     std::array<Apart, 64> sifted;
     int j = 0;
     for (std::size_t done = 0; done < fours; done += sifted.size()) {
         const auto some = std::span(sifted).first(std::min(sifted.size(), fours - done));
         const auto first = static_cast<std::size_t>(j);
-        sift_ahead(points.data() + first, extents == nullptr ? nullptr : extents + first, reach_m_,
+        sift_ahead(points.data() + first, extents == nullptr ? nullptr : extents + first, reach_m,
                    some);
         for (const Apart& apart : some) {
             look_at(~apart.by_two & 0b1111U, j, 2);
@@ -245,9 +268,15 @@ void Crowding::along_level(int piece, int level) {
             j += Fan::width;
         }
     }
-    for (; j < count; ++j) {
-        look_ahead(piece, level, j, 2);
-        if (j % 2 == 0) look_ahead(piece, level, j, 3);
+}
+
+/// Levels are asked for in the order of the list; those between are passed over.
+void Crowding::look_at_close(int piece, int level) {
+    for (; !close_.empty(); close_ = close_.subspan(1)) {
+        const auto& [own_level, nodes] = close_.front();
+        if (nodes[0].piece > piece || (nodes[0].piece == piece && own_level < level)) return;
+        if (nodes[0].piece < piece || own_level > level) continue;
+        look_ahead(piece, level, nodes[0].index, nodes[1].index - nodes[0].index);
     }
 }
 
@@ -303,7 +332,7 @@ void Crowding::between_strangers(SegmentRef a, SegmentRef b, int level) {
 void Crowding::crowd(SegmentRef a, SegmentRef b, int level) {
     if (is_pair_wanted()) {
         const bool is_either = level_of(a, level) == level || level_of(b, level) == level;
-        if (level > 0 && is_either) meetings_.push_back({level, {{a, b}}});
+        if (level > 0 && is_either) meetings_.pairs.push_back({level, {{a, b}}});
     } else {
         mark(a, level);
         mark(b, level);

@@ -10,6 +10,8 @@
 #include <array>
 #include <compare>
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace touchline {
@@ -26,6 +28,9 @@ struct MeetingNodes {
 struct Meetings {
     std::vector<MeetingNodes> pairs;  // ascending
     bool is_complete = true;          // false: too many to look for
+    // What sifting along the pieces could not tell apart at a point's reach, whether it meets or
+    // not: piece by piece, from coarse to fine.
+    std::vector<MeetingNodes> close = {};
 };
 
 /// A node over which something passes while its piece goes from `level` - 1 to `level`.
@@ -58,13 +63,13 @@ class Crowding {
     /// comparisons a node for curves that keep clear of themselves. Two nodes that are settled,
     /// with all below them, are not compared. If a scene is so crowded that 64 comparisons a node
     /// do not suffice, no node is alone: then every slide asks the tree, which is slower but just
-    /// as right.
-    [[nodiscard]] std::vector<bool> find_alone();
+    /// as right. `close`, if given, spares a sift at a point's reach.
+    [[nodiscard]] std::vector<bool> find_alone(
+        const std::optional<std::vector<MeetingNodes>>& close);
 
     /// Returns the pairs of levels > 0 whose boxes crowd each other. `known` holds those of two
     /// pieces whose flag is set, as an earlier walk found them; these are not compared.
-    [[nodiscard]] Meetings find_meetings(std::vector<MeetingNodes> known,
-                                         const std::vector<bool>& is_known);
+    [[nodiscard]] Meetings find_meetings(Meetings known, const std::vector<bool>& is_known);
 
   private:
     /// The nodes that replace one at the next finer level. A node takes part at a level by its
@@ -85,6 +90,8 @@ class Crowding {
     void compare(SegmentRef a, SegmentRef b, int level);
     void crowd(SegmentRef a, SegmentRef b, int level);
     void along_level(int piece, int level);
+    void sift_along(int piece, int level, std::size_t fours);
+    void look_at_close(int piece, int level);
     void look_ahead(int piece, int level, int j, int ahead);
 
     [[nodiscard]] bool is_pair_wanted() const { return alone_.empty(); }
@@ -108,7 +115,9 @@ class Crowding {
     double reach_m_;
     std::vector<bool> alone_;    // empty where the pairs are wanted instead
     std::vector<bool> settled_;  // neither the node nor any below it is alone
-    std::vector<MeetingNodes> meetings_;
+    Meetings meetings_;
+    std::span<const MeetingNodes> close_;  // left to look at
+    bool is_close_known_ = false;
     std::vector<bool> is_known_;        // per piece: not compared with others of that kind
     std::vector<bool> is_known_bound_;  // per node of the hierarchy: all in it are
     std::size_t left_;                  // comparisons that may still be made

@@ -107,6 +107,7 @@ std::vector<Corner> sharp_turns(const Outline& outline, const std::vector<double
     const double cosine = std::cos(least_rad);
     const std::size_t margin = outline.is_closed ? 0 : 1;
     std::vector<Corner> sharp;
+    sharp.reserve(p.size() / 2);  // a rough line has about as many; memory not written is free
     Walker before(outline, s, -reach);
     Walker after(outline, s, reach);
     double calm_until = 0.0;

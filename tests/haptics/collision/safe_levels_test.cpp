@@ -109,7 +109,7 @@ bool compare_with_unknowing(const TactileMap& map, const CurveOptions& options) 
     CollisionTreeBuilder unknowing(curves);
     EXPECT_EQ(knowing.find_meetings().pairs, unknowing.find_meetings().pairs);
     const CollisionTree found = std::move(knowing).finish(0.0);
-    const CollisionTree expected = std::move(unknowing).finish(0.0);
+    const CollisionTree expected = CollisionTree::build(curves, 0.0);
     for (int piece = 0; piece < curves.piece_count(); ++piece) {
         for (int level = 0; level <= curves.piece(piece).coarsest; ++level) {
             for (int j = 0; j < curves.segment_count(piece, level); ++j) {
