@@ -97,7 +97,7 @@ unsigned gathered(Masks bits) {
     return static_cast<unsigned>(whole[0]);
 }
 
-/// Four boxes in the frames of their segments.
+/// Four boxes in the frames of their segments; of bare segments the extents are not looked at.
 struct Four {
     Points axis;
     Extents extents;
@@ -105,12 +105,13 @@ struct Four {
 
 constexpr Extents bare_segments{{0, 0, 0, 0}, {1, 1, 1, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}};
 
+template <bool are_bare>
 [[gnu::always_inline]] inline Four four_of(const Position* points, const PackedExtents* extents) {
     const Pair p1 = pair(points[1]);
     const Pair p2 = pair(points[2]);
     const Pair p3 = pair(points[3]);
     return {rounded(p1 - pair(points[0]), p2 - p1, p3 - p2, pair(points[4]) - p3),
-            extents != nullptr ? unpacked(extents) : bare_segments};
+            are_bare ? bare_segments : unpacked(extents)};
 }
 
 /// Returns the last 4 - by of `four` and the first of `next`.
@@ -138,69 +139,113 @@ Floats length_bounds(const Points& v) {
 }
 
 /// Returns at least how far the boxes go from their origins, in lengths of their axes.
+template <bool are_bare>
 [[gnu::always_inline]] inline Floats reaches(const Extents& e) {
+    if constexpr (are_bare) return Floats{1, 1, 1, 1};
     return larger(absolute(e.along_low), absolute(e.along_high)) +
            larger(absolute(e.across_low), absolute(e.across_high));
 }
 
-/// Returns the lanes where `far`, whose origin lies `by` away over a way of length `way`, surely
-/// begins more than `reach` beyond the end of `near`. Tells most neighbours apart.
-[[gnu::always_inline]] inline Masks begins_beyond(const Four& near, const Four& far,
-                                                  const Points& by, Floats way, float reach) {
-    const Points& a = near.axis;
-    const Points& b = far.axis;
-    const Extents& e = far.extents;
-    const Floats square = a.x * a.x + a.y * a.y;
-    const Floats c = a.x * b.x + a.y * b.y;
-    const Floats d = a.x * b.y - a.y * b.x;
-    const Floats begin = a.x * by.x + a.y * by.y + smaller(e.along_low * c, e.along_high * c) -
-                         larger(e.across_low * d, e.across_high * d);
-    const Floats end = near.extents.along_high;
-    const Floats size = way + absolute(end) * length_bounds(a) + reaches(e) * length_bounds(b);
-    return (begin - end * square > (reach + 4e-6F * size) * length_bounds(a)) & (square > 1e-29F) &
-           (b.x * b.x + b.y * b.y > 1e-29F);
+struct Range {
+    Floats low, high;
+};
+
+/// Returns the extents of boxes along other axes, from their origins on. `c` and `d` are the dot
+/// and the cross products of those axes with their own.
+template <bool are_bare>
+[[gnu::always_inline]] inline Range along_axis(const Extents& e, Floats c, Floats d) {
+    if constexpr (are_bare) return {smaller(c, Floats{}), larger(c, Floats{})};
+    const Floats u[] = {e.along_low * c, e.along_high * c};
+    const Floats v[] = {e.across_low * d, e.across_high * d};
+    return {smaller(u[0], u[1]) - larger(v[0], v[1]), larger(u[0], u[1]) - smaller(v[0], v[1])};
 }
 
-/// The same for more than `reach` outside any one side of `box`: as separates().
-Masks lies_outside(const Four& box, const Four& other, const Points& by, Floats way, float reach) {
+/// The same across the other axes.
+template <bool are_bare>
+[[gnu::always_inline]] inline Range across_axis(const Extents& e, Floats c, Floats d) {
+    if constexpr (are_bare) return {smaller(d, Floats{}), larger(d, Floats{})};
+    const Floats u[] = {e.along_low * d, e.along_high * d};
+    const Floats v[] = {e.across_low * c, e.across_high * c};
+    return {smaller(u[0], u[1]) + smaller(v[0], v[1]), larger(u[0], u[1]) + larger(v[0], v[1])};
+}
+
+/// Returns the lanes where `other`, whose origin lies `by` away, lies further outside any one side
+/// of `box` than `margin`: as separates().
+template <bool are_bare>
+Masks lies_outside(const Four& box, const Four& other, const Points& by, Floats margin) {
     const Points& a = box.axis;
     const Points& b = other.axis;
     const Extents& own = box.extents;
-    const Extents& e = other.extents;
     const Floats square = a.x * a.x + a.y * a.y;
     const Floats s = a.x * by.x + a.y * by.y;
     const Floats n = a.x * by.y - a.y * by.x;
     const Floats c = a.x * b.x + a.y * b.y;
     const Floats d = a.x * b.y - a.y * b.x;
-    const Floats uc[] = {e.along_low * c, e.along_high * c};
-    const Floats ud[] = {e.along_low * d, e.along_high * d};
-    const Floats vc[] = {e.across_low * c, e.across_high * c};
-    const Floats vd[] = {e.across_low * d, e.across_high * d};
-    const Floats beyond =
-        s + smaller(uc[0], uc[1]) - larger(vd[0], vd[1]) - own.along_high * square;
-    const Floats before = own.along_low * square - s - larger(uc[0], uc[1]) + smaller(vd[0], vd[1]);
-    const Floats left =
-        n + smaller(ud[0], ud[1]) + smaller(vc[0], vc[1]) - own.across_high * square;
-    const Floats right = own.across_low * square - n - larger(ud[0], ud[1]) - larger(vc[0], vc[1]);
-    const Floats gap = larger(larger(beyond, before), larger(left, right));
-    const Floats size = way + reaches(own) * length_bounds(a) + reaches(e) * length_bounds(b);
-    // An axis too short for its square says nothing.
-    return (gap > (reach + 4e-6F * size) * length_bounds(a)) & (square > 1e-29F) &
-           (b.x * b.x + b.y * b.y > 1e-29F);
+    const Range along = along_axis<are_bare>(other.extents, c, d);
+    const Range across = across_axis<are_bare>(other.extents, c, d);
+    const Floats beyond = s + along.low - own.along_high * square;
+    const Floats before = own.along_low * square - s - along.high;
+    const Floats left = n + across.low - own.across_high * square;
+    const Floats right = own.across_low * square - n - across.high;
+    return larger(larger(beyond, before), larger(left, right)) > margin;
 }
 
-/// Returns those of the wanted lanes where overlap() of the two is surely false.
+/// Returns those of the wanted lanes where overlap() of the two is surely false. The origin of
+/// `far` lies `by` away from that of `near`, over a way of length `way`.
+template <bool are_bare>
 [[gnu::always_inline]] inline unsigned lanes_apart(const Four& near, const Four& far,
                                                    const Points& by, Floats way, float reach,
                                                    unsigned wanted) {
     constexpr Masks bits{1, 2, 4, 8};
-    const unsigned found = gathered(begins_beyond(near, far, by, way, reach) & bits);
+    const Points& a = near.axis;
+    const Points& b = far.axis;
+    const Floats length_a = length_bounds(a);
+    const Floats length_b = length_bounds(b);
+    const Floats size = way + reaches<are_bare>(near.extents) * length_a +
+                        reaches<are_bare>(far.extents) * length_b;
+    const Floats apart = reach + 4e-6F * size;
+    const Floats square_a = a.x * a.x + a.y * a.y;
+    const Floats square_b = b.x * b.x + b.y * b.y;
+    // An axis too short for its square says nothing.
+    const Masks is_known = (square_a > 1e-29F) & (square_b > 1e-29F) & bits;
+    const Floats c = a.x * b.x + a.y * b.y;
+    const Floats d = a.x * b.y - a.y * b.x;
+    // Most neighbours begin beyond the end of one, or end before the begin of the other.
+    const Floats begin = a.x * by.x + a.y * by.y + along_axis<are_bare>(far.extents, c, d).low;
+    const Floats begin_at = are_bare ? square_a : near.extents.along_high * square_a;
+    const Masks begins_beyond = begin - begin_at > apart * length_a;
+    unsigned found = gathered(begins_beyond & is_known);
+    if ((found & wanted) == wanted) return wanted;
+    const Floats end = along_axis<are_bare>(near.extents, c, -d).high - b.x * by.x - b.y * by.y;
+    const Floats end_at = are_bare ? Floats{} : far.extents.along_low * square_b;
+    const Masks ends_before = end_at - end > apart * length_b;
+    found |= gathered(ends_before & is_known);
     if ((found & wanted) == wanted) return wanted;
     const Points back{-by.x, -by.y};
-    return gathered((lies_outside(near, far, by, way, reach) |
-                     lies_outside(far, near, back, way, reach)) &
-                    bits) &
+    return gathered((lies_outside<are_bare>(near, far, by, apart * length_a) |
+                     lies_outside<are_bare>(far, near, back, apart * length_b)) &
+                    is_known) &
            wanted;
+}
+
+template <bool are_bare>
+void sift_fours(const Position* points, const PackedExtents* extents, float reach,
+                std::span<Apart> apart) {
+    Four near = four_of<are_bare>(points, extents);
+    for (Apart& out : apart) {
+        points += Fan::width;
+        if constexpr (!are_bare) extents += Fan::width;
+        const Four far = four_of<are_bare>(points, extents);
+        const Points second = moved_on<1>(near.axis, far.axis);
+        const Four two = moved_on<2>(near, far);
+        const Points by_two{near.axis.x + second.x, near.axis.y + second.y};
+        const Points by_three{by_two.x + two.axis.x, by_two.y + two.axis.y};
+        const Floats way = length_bounds(near.axis) + length_bounds(second);
+        out = {lanes_apart<are_bare>(near, two, by_two, way, reach, 0b1111U),
+               lanes_apart<are_bare>(near, moved_on<3>(near, far), by_three,
+                                     way + length_bounds(two.axis), reach, 0b0101U)};
+        near = far;
+    }
 }
 
 float least(Floats a) {
@@ -284,20 +329,10 @@ Sifted sift(const Fan& fan, const Way& way) {
 void sift_ahead(const Position* points, const PackedExtents* extents, double reach_m,
                 std::span<Apart> apart) {
     const auto reach = static_cast<float>(reach_m);
-    Four near = four_of(points, extents);
-    for (Apart& out : apart) {
-        points += Fan::width;
-        if (extents != nullptr) extents += Fan::width;
-        const Four far = four_of(points, extents);
-        const Points second = moved_on<1>(near.axis, far.axis);
-        const Four two = moved_on<2>(near, far);
-        const Points by_two{near.axis.x + second.x, near.axis.y + second.y};
-        const Points by_three{by_two.x + two.axis.x, by_two.y + two.axis.y};
-        const Floats way = length_bounds(near.axis) + length_bounds(second);
-        out = {lanes_apart(near, two, by_two, way, reach, 0b1111U),
-               lanes_apart(near, moved_on<3>(near, far), by_three, way + length_bounds(two.axis),
-                           reach, 0b0101U)};
-        near = far;
+    if (extents == nullptr) {
+        sift_fours<true>(points, extents, reach, apart);
+    } else {
+        sift_fours<false>(points, extents, reach, apart);
     }
 }
 

@@ -98,28 +98,94 @@ class LevelLine {
         box.add(point(last));
     }
 
+    /// The same from point j 2^octaves on, for a whole segment that much coarser.
+    template <std::size_t octaves>
+    [[gnu::always_inline]] void add_whole(std::size_t j, Growing& box) const {
+        const Position* const points = points_ + (j << octaves);
+#pragma GCC unroll 9
+        for (std::size_t i = 0; i <= (std::size_t{1} << octaves); ++i) box.add(points[i]);
+    }
+
     void add_boxes(std::size_t first, std::size_t last, Growing& box) const {
         for (std::size_t i = first; i < last; ++i) box.add(segment(i), extents_[i]);
     }
 
   private:
-    [[nodiscard]] Position point(std::size_t i) const { return points_[i == count_ ? 0 : i]; }
+    [[nodiscard]] Position point(std::size_t i) const {
+        return points_[i == count_ ? 0 : i];
+    }
 
     const Position* points_ = nullptr;
     std::size_t count_ = 0;
     const PackedExtents* extents_ = nullptr;  // not of level 0
 };
 
+using Entry = KnownPieces::Entry;
+
+/// Returns the one with the same points.
+std::vector<Entry>::const_iterator find_entry(const std::vector<Entry>& entries,
+                                              const Entry& wanted) {
+    const auto start = [](const Entry& e) { return std::pair(e.outline, e.first_vertex); };
+    const auto found = std::ranges::lower_bound(entries, start(wanted), {}, start);
+    const bool is_same = found != entries.end() && start(*found) == start(wanted) &&
+                         found->last_vertex == wanted.last_vertex && found->edges == wanted.edges &&
+                         found->is_closed == wanted.is_closed;
+    return is_same ? found : entries.end();
+}
+
 }  // namespace
 
-CollisionTreeBuilder::CollisionTreeBuilder(const CurveSet& curves) : curves_(curves) {
+CollisionTreeBuilder::CollisionTreeBuilder(const CurveSet& curves, KnownPieces known)
+    : curves_(curves) {
     tree_.extents_.resize(curves.point_count() - curves.finest_count() + Fan::width - 1);
+    std::vector<int> piece_of(known.entries.size(), -1);
     for (int piece = 0; piece < curves.piece_count(); ++piece) {
+        const auto entry = find_entry(known.entries, entry_of(piece));
+        is_known_.push_back(entry != known.entries.end());
+        if (is_known_.back()) {
+            piece_of[static_cast<std::size_t>(entry - known.entries.begin())] = piece;
+            const std::span<PackedExtents> boxes = boxes_of(piece);
+            std::copy_n(known.extents.begin() + static_cast<std::ptrdiff_t>(entry->first_box),
+                        boxes.size(), boxes.begin());
+            continue;
+        }
         for (int level = 1; level <= curves.piece(piece).coarsest; ++level) {
             bound_level(piece, level);
         }
     }
+    const auto take_over = [&](std::vector<MeetingNodes>& from, std::vector<MeetingNodes>& to) {
+        for (MeetingNodes& pair : from) {
+            for (SegmentRef& node : pair.nodes) {
+                node.piece = piece_of[static_cast<std::size_t>(node.piece)];
+            }
+            if (pair.nodes[0].piece >= 0 && pair.nodes[1].piece >= 0) to.push_back(pair);
+        }
+    };
+    take_over(known.meetings.pairs, known_meetings_.pairs);
+    take_over(known.meetings.close, known_meetings_.close);
     hang();
+}
+
+KnownPieces::Entry CollisionTreeBuilder::entry_of(int piece) const {
+    const Piece& own = curves_.piece(piece);
+    const std::size_t first =
+        own.coarsest > 0 ? curves_.first_point(piece, 1) : curves_.finest_count();
+    return {own.outline,
+            own.is_closed,
+            own.first_vertex,
+            own.last_vertex,
+            curves_.segment_count(piece, 0),
+            first - curves_.finest_count()};
+}
+
+/// Those of level 1 come first.
+std::span<PackedExtents> CollisionTreeBuilder::boxes_of(int piece) {
+    const int coarsest = curves_.piece(piece).coarsest;
+    if (coarsest == 0) return {};
+    const std::size_t first = curves_.first_point(piece, 1);
+    const std::size_t last =
+        curves_.first_point(piece, coarsest) + curves_.points(piece, coarsest).size();
+    return std::span(tree_.extents_).subspan(first - curves_.finest_count(), last - first);
 }
 
 void CollisionTreeBuilder::hang() {
@@ -142,14 +208,25 @@ void CollisionTreeBuilder::hang() {
     std::ranges::transform(roots, tree_.roots_.begin(), &Root::stretch);
 }
 
-Meetings CollisionTreeBuilder::find_meetings() const {
-    return Crowding(tree_, curves_, contact_skin_m).find_meetings();
+Meetings CollisionTreeBuilder::find_meetings() {
+    Meetings found = Crowding(tree_, curves_, contact_skin_m)
+                         .find_meetings(std::move(known_meetings_), is_known_);
+    close_ = found.close;
+    return found;
+}
+
+KnownPieces CollisionTreeBuilder::known_pieces(Meetings meetings) && {
+    KnownPieces known{{}, std::move(tree_.extents_), std::move(meetings)};
+    for (int piece = 0; piece < curves_.piece_count(); ++piece) {
+        known.entries.push_back(entry_of(piece));
+    }
+    return known;
 }
 
 CollisionTree CollisionTreeBuilder::finish(double radius_m) && {
     if (!tree_.roots_.empty()) lay_grid();
     const double reach_m = std::max(radius_m, contact_skin_m) + approach_tolerance_m;
-    tree_.alone_ = Crowding(tree_, curves_, reach_m).find_alone();
+    tree_.alone_ = Crowding(tree_, curves_, reach_m).find_alone(close_);
     return std::move(tree_);
 }
 
@@ -175,7 +252,16 @@ void CollisionTreeBuilder::bound_level(int piece, int level) {
     }
     PackedExtents* const extents =
         tree_.extents_.data() + (curves_.first_point(piece, level) - curves_.finest_count());
-    for (std::size_t j = 0; j < counts[0]; ++j) {
+    const std::size_t wholes = (counts[static_cast<std::size_t>(scans)] - 1) >> scans;
+    for (std::size_t j = 0; j < wholes; ++j) {
+        Growing box(lines[0].segment(j));
+        lines[1].add_whole<1>(j, box);
+        if (level > 1) lines[2].add_whole<2>(j, box);
+        if (level > 2) lines[3].add_whole<3>(j, box);
+        if (level > scanned) lines[scanned].add_boxes(j << scanned, (j + 1) << scanned, box);
+        extents[j] = box.packed();
+    }
+    for (std::size_t j = wholes; j < counts[0]; ++j) {
         Growing box(lines[0].segment(j));
         for (std::size_t k = 1; k <= static_cast<std::size_t>(scans); ++k) {
             lines[k].add_points(j << k, std::min((j + 1) << k, counts[k]), box);

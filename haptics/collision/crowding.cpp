@@ -11,6 +11,7 @@
 namespace touchline {
 namespace {
 
+constexpr double point_reach_m = 2.0 * (contact_skin_m + approach_tolerance_m);
 constexpr double fast_hand_spacing_m = 1.25e-3;  // a quarter of 0.5 m/s over 100 Hz
 
 /// A segment whose ends move straight and evenly.
@@ -107,9 +108,12 @@ Crowding::Crowding(const CollisionTree& tree, const CurveSet& curves, double rea
     : tree_(tree),
       curves_(curves),
       reach_m_(2.0 * reach_m),
+      is_known_(static_cast<std::size_t>(curves.piece_count()), false),
       left_(64 * curves.point_count() + 4096) {}
 
-std::vector<bool> Crowding::find_alone() {
+std::vector<bool> Crowding::find_alone(const std::optional<std::vector<MeetingNodes>>& close) {
+    is_close_known_ = close.has_value() && reach_m_ <= point_reach_m;
+    if (is_close_known_) close_ = *close;
     alone_.assign(curves_.point_count(), true);
     settled_.assign(curves_.point_count(), false);
     walk();
@@ -117,21 +121,72 @@ std::vector<bool> Crowding::find_alone() {
     return std::move(alone_);
 }
 
-Meetings Crowding::find_meetings() {
+Meetings Crowding::find_meetings(Meetings known, const std::vector<bool>& is_known) {
+    meetings_ = std::move(known);
+    is_known_ = is_known;
+    put_known_in_order();
     walk();
-    return {std::move(meetings_), left_ > 0};
+    std::ranges::sort(meetings_.pairs);
+    std::ranges::stable_sort(meetings_.close, {},
+                             [](const MeetingNodes& pair) { return pair.nodes[0].piece; });
+    meetings_.is_complete = left_ > 0;
+    return std::move(meetings_);
+}
+
+/// Of two nodes under different roots the walk meets that first whose root lies first in the
+/// hierarchy.
+void Crowding::put_known_in_order() {
+    if (meetings_.pairs.empty()) return;
+    std::vector<int> first_stretch;  // per piece, in `place`
+    int stretches = 0;
+    for (int piece = 0; piece < curves_.piece_count(); ++piece) {
+        first_stretch.push_back(stretches);
+        const int roots = curves_.segment_count(piece, curves_.piece(piece).coarsest);
+        stretches += (roots + Fan::width - 1) / Fan::width;
+    }
+    std::vector<int> place(tree_.roots_.size());  // of a piece's stretches, in the hierarchy
+    const auto place_of = [&](SegmentRef root) -> int& {
+        return place[static_cast<std::size_t>(first_stretch[static_cast<std::size_t>(root.piece)] +
+                                              root.index / Fan::width)];
+    };
+    for (std::size_t i = 0; i < tree_.roots_.size(); ++i) {
+        place_of({tree_.roots_[i].piece, tree_.roots_[i].first}) = static_cast<int>(i);
+    }
+    for (auto& [level, nodes] : meetings_.pairs) {
+        const SegmentRef a = root_of(nodes[0], level);
+        const SegmentRef b = root_of(nodes[1], level);
+        const bool is_along_piece =
+            a.piece == b.piece && (a == b || are_neighbours(a, b, curves_.coarsest()));
+        if (!is_along_piece && place_of(b) < place_of(a)) std::swap(nodes[0], nodes[1]);
+    }
 }
 
 void Crowding::walk() {
+    find_known_bounds();
     if (!tree_.bounds_.empty()) within_hierarchy(0);
     for (int piece = 0; piece < curves_.piece_count(); ++piece) {
+        if (is_known_[static_cast<std::size_t>(piece)]) continue;
         for (int level = curves_.piece(piece).coarsest - 1; level >= finest(); --level) {
             along_level(piece, level);
         }
     }
 }
 
+/// Children come after their parents.
+void Crowding::find_known_bounds() {
+    is_known_bound_.resize(tree_.bounds_.size());
+    for (std::size_t i = tree_.bounds_.size(); i-- > 0;) {
+        const int left = tree_.bounds_[i].left;
+        const auto child = static_cast<std::size_t>(left);
+        is_known_bound_[i] = left < 0
+                                 ? is_known_[static_cast<std::size_t>(
+                                       tree_.roots_[static_cast<std::size_t>(-left - 1)].piece)]
+                                 : is_known_bound_[child] && is_known_bound_[child + 1];
+    }
+}
+
 void Crowding::within_hierarchy(std::size_t bound) {
+    if (is_known_bound_[bound]) return;
     const auto left = tree_.bounds_[bound].left;
     if (left < 0) {
         const auto roots = static_cast<std::size_t>(-left - 1);
@@ -147,7 +202,7 @@ void Crowding::within_hierarchy(std::size_t bound) {
 void Crowding::between_bounds(std::size_t a, std::size_t b) {
     const auto& bound_a = tree_.bounds_[a];
     const auto& bound_b = tree_.bounds_[b];
-    if (left_ == 0) return;
+    if (left_ == 0 || (is_known_bound_[a] && is_known_bound_[b])) return;
     --left_;
     if (!overlap(bound_a.box(), bound_b.box(), reach_m_)) return;
     if (bound_a.left < 0 && bound_b.left < 0) {
@@ -170,6 +225,21 @@ void Crowding::between_bounds(std::size_t a, std::size_t b) {
 /// even node the one after that. All others of the piece are met through parents that meet.
 void Crowding::along_level(int piece, int level) {
     const int count = curves_.segment_count(piece, level);
+    const std::size_t points = curves_.points(piece, level).size();
+    // Fours with as many nodes and a point behind them.
+    const std::size_t fours = points < 9 ? 0 : (points - 5) / Fan::width;
+    if (level > 0 && is_close_known_) {
+        look_at_close(piece, level);
+    } else {
+        sift_along(piece, level, fours);
+    }
+    for (int j = static_cast<int>(fours) * Fan::width; j < count; ++j) {
+        look_ahead(piece, level, j, 2);
+        if (j % 2 == 0) look_ahead(piece, level, j, 3);
+    }
+}
+
+void Crowding::sift_along(int piece, int level, std::size_t fours) {
     const auto points = curves_.points(piece, level);
     const PackedExtents* const extents =
         level == 0
@@ -177,17 +247,20 @@ void Crowding::along_level(int piece, int level) {
             : tree_.extents_.data() + (curves_.first_point(piece, level) - curves_.finest_count());
     const auto look_at = [&](unsigned near, int first, int ahead) {
         for (; near != 0; near &= near - 1) {
-            look_ahead(piece, level, first + std::countr_zero(near), ahead);
+            const int j = first + std::countr_zero(near);
+            if (is_pair_wanted()) {
+                meetings_.close.push_back({level, {{{piece, j}, {piece, j + ahead}}}});
+            }
+            look_ahead(piece, level, j, ahead);
         }
     };
-    // Fours with as many nodes and a point behind them.
-    const std::size_t fours = points.size() < 9 ? 0 : (points.size() - 5) / Fan::width;
+    const double reach_m = is_pair_wanted() ? point_reach_m : reach_m_;
     std::array<Apart, 64> sifted;
     int j = 0;
     for (std::size_t done = 0; done < fours; done += sifted.size()) {
         const auto some = std::span(sifted).first(std::min(sifted.size(), fours - done));
         const auto first = static_cast<std::size_t>(j);
-        sift_ahead(points.data() + first, extents == nullptr ? nullptr : extents + first, reach_m_,
+        sift_ahead(points.data() + first, extents == nullptr ? nullptr : extents + first, reach_m,
                    some);
         for (const Apart& apart : some) {
             look_at(~apart.by_two & 0b1111U, j, 2);
@@ -195,9 +268,15 @@ void Crowding::along_level(int piece, int level) {
             j += Fan::width;
         }
     }
-    for (; j < count; ++j) {
-        look_ahead(piece, level, j, 2);
-        if (j % 2 == 0) look_ahead(piece, level, j, 3);
+}
+
+/// Levels are asked for in the order of the list; those between are passed over.
+void Crowding::look_at_close(int piece, int level) {
+    for (; !close_.empty(); close_ = close_.subspan(1)) {
+        const auto& [own_level, nodes] = close_.front();
+        if (nodes[0].piece > piece || (nodes[0].piece == piece && own_level < level)) return;
+        if (nodes[0].piece < piece || own_level > level) continue;
+        look_ahead(piece, level, nodes[0].index, nodes[1].index - nodes[0].index);
     }
 }
 
@@ -252,7 +331,8 @@ void Crowding::between_strangers(SegmentRef a, SegmentRef b, int level) {
 /// may meet.
 void Crowding::crowd(SegmentRef a, SegmentRef b, int level) {
     if (is_pair_wanted()) {
-        if (level > 0) meetings_.push_back({level, {{a, b}}});
+        const bool is_either = level_of(a, level) == level || level_of(b, level) == level;
+        if (level > 0 && is_either) meetings_.pairs.push_back({level, {{a, b}}});
     } else {
         mark(a, level);
         mark(b, level);
@@ -270,6 +350,10 @@ void Crowding::crowd(SegmentRef a, SegmentRef b, int level) {
 
 int Crowding::level_of(SegmentRef a, int level) const {
     return std::min(level, curves_.piece(a.piece).coarsest);
+}
+
+SegmentRef Crowding::root_of(SegmentRef a, int level) const {
+    return {a.piece, a.index >> (curves_.piece(a.piece).coarsest - level_of(a, level))};
 }
 
 /// Returns the nodes that replace it at the next finer level; level > 0.
@@ -321,13 +405,11 @@ void Crowding::settle(SegmentRef a, int level) {
     settled_[node_at(a, level)] = true;
 }
 
-SafeLevels find_safe_levels(const CurveSet& curves, Meetings meetings) {
+SafeLevels find_safe_levels(const CurveSet& curves, const Meetings& meetings) {
     Changes changes(curves);
     if (!meetings.is_complete) changes.forbid_all();
-    auto& pairs = meetings.pairs;
-    std::ranges::sort(pairs);
-    const MeetingNodes* first = pairs.data();
-    const MeetingNodes* const end = first + pairs.size();
+    const MeetingNodes* first = meetings.pairs.data();
+    const MeetingNodes* const end = first + meetings.pairs.size();
     while (first != end) {
         const MeetingNodes* last = std::find_if(
             first, end, [&](const MeetingNodes& pair) { return pair.level != first->level; });

@@ -10,12 +10,14 @@
 #include <array>
 #include <compare>
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace touchline {
 
-/// Two nodes, not neighbours along an outline, whose boxes meet: each of `level`, or of its piece's
-/// coarsest level if that is finer.
+/// Two nodes, not neighbours along an outline, whose boxes meet: at least one of `level`, the other
+/// of its piece's coarsest level if that is finer.
 struct MeetingNodes {
     int level = 0;  // > 0
     std::array<SegmentRef, 2> nodes;
@@ -24,8 +26,11 @@ struct MeetingNodes {
 };
 
 struct Meetings {
-    std::vector<MeetingNodes> pairs;
-    bool is_complete = true;  // false: too many to look for
+    std::vector<MeetingNodes> pairs;  // ascending
+    bool is_complete = true;          // false: too many to look for
+    // What sifting along the pieces could not tell apart at a point's reach, whether it meets or
+    // not: piece by piece, from coarse to fine.
+    std::vector<MeetingNodes> close = {};
 };
 
 /// A node over which something passes while its piece goes from `level` - 1 to `level`.
@@ -41,7 +46,7 @@ struct SafeLevels {
 
 /// `meetings` holds all of the curves' nodes. Lines that already cross at level 0 may continue to;
 /// no vertex passes over a line. O(pairs), each a few times.
-[[nodiscard]] SafeLevels find_safe_levels(const CurveSet& curves, Meetings meetings);
+[[nodiscard]] SafeLevels find_safe_levels(const CurveSet& curves, const Meetings& meetings);
 
 /// Returns pins that separate the unsafe parts from the rest of their outline, so that the rest
 /// keeps its levels. Returns none if the lost levels are coarser than a hand at 0.5 m/s asks for.
@@ -58,11 +63,13 @@ class Crowding {
     /// comparisons a node for curves that keep clear of themselves. Two nodes that are settled,
     /// with all below them, are not compared. If a scene is so crowded that 64 comparisons a node
     /// do not suffice, no node is alone: then every slide asks the tree, which is slower but just
-    /// as right.
-    [[nodiscard]] std::vector<bool> find_alone();
+    /// as right. `close`, if given, spares a sift at a point's reach.
+    [[nodiscard]] std::vector<bool> find_alone(
+        const std::optional<std::vector<MeetingNodes>>& close);
 
-    /// Returns the pairs of levels > 0 whose boxes crowd each other.
-    [[nodiscard]] Meetings find_meetings();
+    /// Returns the pairs of levels > 0 whose boxes crowd each other. `known` holds those of two
+    /// pieces whose flag is set, as an earlier walk found them; these are not compared.
+    [[nodiscard]] Meetings find_meetings(Meetings known, const std::vector<bool>& is_known);
 
   private:
     /// The nodes that replace one at the next finer level. A node takes part at a level by its
@@ -73,6 +80,8 @@ class Crowding {
     };
 
     void walk();
+    void find_known_bounds();
+    void put_known_in_order();
     void within_hierarchy(std::size_t bound);
     void between_bounds(std::size_t a, std::size_t b);
     void between_roots(std::size_t a, std::size_t b);
@@ -81,6 +90,8 @@ class Crowding {
     void compare(SegmentRef a, SegmentRef b, int level);
     void crowd(SegmentRef a, SegmentRef b, int level);
     void along_level(int piece, int level);
+    void sift_along(int piece, int level, std::size_t fours);
+    void look_at_close(int piece, int level);
     void look_ahead(int piece, int level, int j, int ahead);
 
     [[nodiscard]] bool is_pair_wanted() const { return alone_.empty(); }
@@ -89,6 +100,7 @@ class Crowding {
     [[nodiscard]] int finest() const { return is_pair_wanted() ? 1 : 0; }
 
     [[nodiscard]] int level_of(SegmentRef a, int level) const;
+    [[nodiscard]] SegmentRef root_of(SegmentRef a, int level) const;
     [[nodiscard]] Parts children(SegmentRef a, int level) const;
     [[nodiscard]] bool are_neighbours(SegmentRef a, SegmentRef b, int level) const;
     [[nodiscard]] bool is_last(SegmentRef a, int level) const;
@@ -103,8 +115,12 @@ class Crowding {
     double reach_m_;
     std::vector<bool> alone_;    // empty where the pairs are wanted instead
     std::vector<bool> settled_;  // neither the node nor any below it is alone
-    std::vector<MeetingNodes> meetings_;
-    std::size_t left_;  // comparisons that may still be made
+    Meetings meetings_;
+    std::span<const MeetingNodes> close_;  // left to look at
+    bool is_close_known_ = false;
+    std::vector<bool> is_known_;        // per piece: not compared with others of that kind
+    std::vector<bool> is_known_bound_;  // per node of the hierarchy: all in it are
+    std::size_t left_;                  // comparisons that may still be made
 };
 
 }  // namespace touchline

@@ -115,16 +115,21 @@ Result<Scene> build_scene(const TactileMap& map, const CurveOptions& options, do
     const Result<CurveSource> source = CurveSource::read(map, options);
     if (!source) return tl::unexpected(source.error());
     std::vector<PinPlace> wanted = options.pins;
+    KnownPieces known;
     for (int build = 1;; ++build) {
         Result<CurveSet> curves = source->build(wanted);
         if (!curves) return tl::unexpected(std::move(curves.error()));
-        CollisionTreeBuilder builder(*curves);
+        CollisionTreeBuilder builder(*curves, std::move(known));
         Meetings meetings = builder.find_meetings();
         const bool is_complete = meetings.is_complete;
-        const SafeLevels safe = find_safe_levels(*curves, std::move(meetings));
+        const SafeLevels safe = find_safe_levels(*curves, meetings);
         const auto pins = build < most_builds ? pins_for(*curves, safe) : std::vector<PinPlace>{};
         if (!pins.empty()) {
             wanted.insert(wanted.end(), pins.begin(), pins.end());
+            // Else it depends on all pieces which details are dropped.
+            known = options.keep_details < 1.0
+                        ? KnownPieces{}
+                        : std::move(builder).known_pieces(std::move(meetings));
             continue;
         }
         // Which nodes are alone depends on the levels that exist.

@@ -85,6 +85,8 @@ double CurveSet::outline_parameter(int piece, double level, int j, double t) con
 struct OutlineStretch {
     std::vector<Position> line;
     int outline = 0;
+    std::size_t first_vertex = 0;
+    std::size_t last_vertex = 0;
     bool is_closed = false;
     bool has_next = false;  // the following stretch shares its end
     bool starts_at_corner = false;
@@ -167,14 +169,15 @@ void cut(const Outline& outline, int index, const std::vector<std::size_t>& pins
     const std::size_t first = out.size();
     if (count < 2) return;
     if (pins.empty()) {
-        out.push_back({line_between(outline.points, 0, count), index, true, false, false, first});
+        out.push_back(
+            {line_between(outline.points, 0, count), index, 0, count, true, false, false, first});
         return;
     }
     const std::size_t stretches = outline.is_closed ? pins.size() : pins.size() - 1;
     for (std::size_t k = 0; k < stretches; ++k) {
         const bool is_last = k + 1 == stretches;
         const std::size_t to = k + 1 < pins.size() ? pins[k + 1] : pins[0] + count;
-        out.push_back({line_between(outline.points, pins[k], to), index, false,
+        out.push_back({line_between(outline.points, pins[k], to), index, pins[k], to, false,
                        !is_last || outline.is_closed, std::ranges::binary_search(corners, pins[k]),
                        first});
     }
@@ -308,6 +311,8 @@ class CurveSetBuilder {
             piece.is_closed = stretch.is_closed;
             piece.starts_at_corner = stretch.starts_at_corner;
             piece.coarsest = halvings_[i];
+            piece.first_vertex = stretch.first_vertex;
+            piece.last_vertex = stretch.last_vertex;
             const bool is_last = i + 1 == stretches_.size() ||
                                  stretches_[i + 1].first_of_outline != stretch.first_of_outline;
             if (stretch.has_next) {
@@ -356,7 +361,7 @@ class CurveSetBuilder {
         std::size_t most_segments = 0;
         for (std::size_t i = 0; i < firsts_.size(); ++i) {
             set_.points_.insert(set_.points_.end(), firsts_[i].begin(), firsts_[i].end());
-            firsts_[i] = {};
+            firsts_[i] = std::vector<Position>();  // an empty list would keep the memory
             most_segments = std::max(most_segments, shapes_[i].finest_segments);
         }
         set_.points_.resize(points);

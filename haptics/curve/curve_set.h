@@ -72,6 +72,8 @@ struct Piece {
         previous = -1;  // pieces that share a pin with it along the outline; -1: open end
     double first_parameter = 0.0;  // outline parameter of its first point, in level-0 segments
     int coarsest = 0;              // L: levels 0 ... L exist
+    std::size_t first_vertex = 0;  // of the outline without repeated points; `last_vertex` runs on
+    std::size_t last_vertex = 0;   // past the end of a closed one
 };
 
 /// What was kept of one outline, and why, for `curve --json`.

@@ -66,9 +66,32 @@ class Walker {
     std::size_t segment_ = 0;
 };
 
+/// A vertex where an outline turns, by the products of the chords before and after it.
 struct Corner {
     std::size_t vertex = 0;
-    double turn_rad = 0.0;
+    double along = 0.0;
+    double across = 0.0;  // >= 0
+
+    [[nodiscard]] double turn_rad() const { return std::atan2(across, along); }
+};
+
+/// Compares turns with a limit, mostly without an arc tangent.
+class TurnLimit {
+  public:
+    explicit TurnLimit(double limit_rad)
+        : limit_rad_(limit_rad), sine_(std::sin(limit_rad)), cosine_(std::cos(limit_rad)) {}
+
+    /// As turn_rad() >= the limit.
+    [[nodiscard]] bool is_reached(const Corner& corner) const {
+        const double short_of = corner.along * sine_ - corner.across * cosine_;
+        const double rounding = 1e-12 * (std::abs(corner.along) + corner.across);
+        return short_of < -rounding || (short_of <= rounding && corner.turn_rad() >= limit_rad_);
+    }
+
+  private:
+    double limit_rad_;
+    double sine_;
+    double cosine_;
 };
 
 /// Returns the vertices of an outline where it turns by more than the rule asks, measured over
@@ -78,11 +101,13 @@ std::vector<Corner> sharp_turns(const Outline& outline, const std::vector<double
     const auto& p = outline.points;
     // On a small closed outline the two chords must not reach round to each other.
     const double reach = outline.is_closed ? std::min(rule.reach_m, s.back() / 16.0) : rule.reach_m;
-    const double least_rad = rule.turn_rad - 1e-9;  // the arc tangent decides on the limit itself
+    const double least_rad = rule.turn_rad - 1e-9;  // whatever turns less is surely not sharp
+    const TurnLimit sharper(std::nextafter(rule.turn_rad, INFINITY));
     const double sine = std::sin(least_rad);
     const double cosine = std::cos(least_rad);
     const std::size_t margin = outline.is_closed ? 0 : 1;
     std::vector<Corner> sharp;
+    sharp.reserve(p.size() / 2);  // a rough line has about as many; memory not written is free
     Walker before(outline, s, -reach);
     Walker after(outline, s, reach);
     double calm_until = 0.0;
@@ -99,8 +124,8 @@ std::vector<Corner> sharp_turns(const Outline& outline, const std::vector<double
             calm_until = s[i] + calm / (5.0 * reach);
             continue;
         }
-        const double turn_rad = std::atan2(across, along);
-        if (turn_rad > rule.turn_rad) sharp.push_back({i, turn_rad});
+        const Corner corner{i, along, across};
+        if (sharper.is_reached(corner)) sharp.push_back(corner);
     }
     return sharp;
 }
@@ -111,7 +136,7 @@ double sharp_enough_rad(const std::vector<Corner>& corners) {
     std::vector<double> turns_rad;
     const std::size_t stride = std::max<std::size_t>(1, corners.size() / samples);
     for (std::size_t i = 0; i < corners.size(); i += stride) {
-        turns_rad.push_back(corners[i].turn_rad);
+        turns_rad.push_back(corners[i].turn_rad());
     }
     const auto sharp = turns_rad.begin() + static_cast<std::ptrdiff_t>(turns_rad.size() / 16);
     std::nth_element(turns_rad.begin(), sharp, turns_rad.end(), std::greater());
@@ -130,25 +155,37 @@ std::vector<std::size_t> corners(const Outline& outline, const PinRule& rule) {
         const auto after = taken.lower_bound(arc - rule.apart_m);
         return after != taken.end() && *after < arc + rule.apart_m;
     };
-    const auto is_near = [&](const Corner& corner) {
-        const double arc = s[corner.vertex];
-        return is_taken(arc) ||
-               (outline.is_closed && (is_taken(arc - length) || is_taken(arc + length)));
+    const double seam_m = outline.is_closed ? 2.0 * rule.apart_m : -1.0;  // more than it matters
+    const auto is_near = [&](std::size_t vertex) {
+        const double arc = s[vertex];
+        return is_taken(arc) || (length - arc < seam_m && is_taken(arc - length)) ||
+               (arc < seam_m && is_taken(arc + length));
     };
     std::vector<std::size_t> kept;
     std::vector<Corner> rest = sharp_turns(outline, s, rule);
     while (!rest.empty()) {
-        const double least_rad = sharp_enough_rad(rest);
-        const auto is_strong = [&](const Corner& corner) { return corner.turn_rad >= least_rad; };
-        std::vector<Corner> strong;
-        std::ranges::copy_if(rest, std::back_inserter(strong), is_strong);
-        std::ranges::stable_sort(strong, std::greater(), &Corner::turn_rad);
-        for (const Corner& corner : strong) {
-            if (is_near(corner)) continue;
-            taken.insert(s[corner.vertex]);
-            kept.push_back(corner.vertex);
+        const TurnLimit strong_from(sharp_enough_rad(rest));
+        std::vector<std::pair<double, std::size_t>> strong;  // turn and vertex
+        for (const Corner& corner : rest) {
+            if (strong_from.is_reached(corner))
+                strong.emplace_back(corner.turn_rad(), corner.vertex);
         }
-        std::erase_if(rest, [&](const Corner& c) { return is_strong(c) || is_near(c); });
+        std::ranges::stable_sort(strong, std::greater(), &std::pair<double, std::size_t>::first);
+        for (const auto& [turn_rad, vertex] : strong) {
+            if (is_near(vertex)) continue;
+            taken.insert(s[vertex]);
+            kept.push_back(vertex);
+        }
+        std::vector<Corner> weak;
+        auto after = taken.begin();  // runs along with the vertices
+        for (const Corner& corner : rest) {
+            const double arc = s[corner.vertex];
+            while (after != taken.end() && *after < arc - rule.apart_m) ++after;
+            const bool is_beside = after != taken.end() && *after < arc + rule.apart_m;
+            if (is_beside || strong_from.is_reached(corner) || is_near(corner.vertex)) continue;
+            weak.push_back(corner);
+        }
+        rest = std::move(weak);
     }
     return kept;
 }

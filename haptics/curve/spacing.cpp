@@ -312,7 +312,7 @@ double deviation_m(std::span<const Position> line, std::span<const Position> kep
 
 double median(std::span<double> values) {
     if (values.empty()) return 0.0;
-    auto rank = static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::size_t rank = values.size() / 2;
     constexpr std::size_t samples = 2048;  // whose median has a rank within 5 % of the whole's
     if (values.size() >= 8 * samples) {    // sort only the values near that
         std::vector<double> sample;
@@ -321,19 +321,25 @@ double median(std::span<double> values) {
         std::ranges::sort(sample);
         const double low = sample[sample.size() * 45 / 100];
         const double high = sample[sample.size() * 55 / 100];
-        const auto is_below = [low](double value) { return value < low; };
-        const auto is_far = [low, high](double value) { return value < low || value > high; };
-        const auto below = std::ranges::count_if(values, is_below);
-        const auto far = std::ranges::count_if(values, is_far);
-        if (rank >= below && rank < below + std::ssize(values) - far) {
-            values = values.first(static_cast<std::size_t>(
-                std::partition(values.begin(), values.end(), [&](double v) { return !is_far(v); }) -
-                values.begin()));
+        std::size_t below = 0;
+        std::size_t up_to = 0;
+        for (const double value : values) {
+            below += value < low ? 1U : 0U;
+            up_to += value <= high ? 1U : 0U;
+        }
+        if (rank >= below && rank < up_to) {
+            std::size_t near = 0;
+            for (const double value : values) {
+                values[near] = value;
+                near += value >= low && value <= high ? 1U : 0U;
+            }
+            values = values.first(near);
             rank -= below;
         }
     }
-    std::nth_element(values.begin(), values.begin() + rank, values.end());
-    return values[static_cast<std::size_t>(rank)];
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(rank);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
 }
 
 double median_edge_m(std::span<const Position> line) {

@@ -1,4 +1,5 @@
 // On the way from level to level no line passes over one that it does not cross at level 0.
+#include "haptics/collision/collision_builder.h"
 #include "haptics/collision/scene.h"
 #include "tests/haptics/collision/meetings.h"
 #include "tests/haptics/collision/trials.h"
@@ -93,6 +94,45 @@ TEST(SafeLevels, TakeNothingFromLinesThatKeepClearOfThemselves) {
             EXPECT_EQ(safe.pieces()[piece].coarsest, every.pieces()[piece].coarsest);
         }
     }
+}
+
+/// Compares what a builder finds that knows the pieces of a build with fewer pins with what one
+/// finds that knows nothing. Returns whether there were new pins.
+bool compare_with_unknowing(const TactileMap& map, const CurveOptions& options) {
+    const CurveSource source = CurveSource::read(map, options).value();
+    const CurveSet before = source.build({}).value();
+    CollisionTreeBuilder first(before);
+    Meetings met = first.find_meetings();
+    const auto pins = pins_for(before, find_safe_levels(before, met));
+    const CurveSet curves = source.build(pins).value();
+    CollisionTreeBuilder knowing(curves, std::move(first).known_pieces(std::move(met)));
+    CollisionTreeBuilder unknowing(curves);
+    EXPECT_EQ(knowing.find_meetings().pairs, unknowing.find_meetings().pairs);
+    const CollisionTree found = std::move(knowing).finish(0.0);
+    const CollisionTree expected = CollisionTree::build(curves, 0.0);
+    for (int piece = 0; piece < curves.piece_count(); ++piece) {
+        for (int level = 0; level <= curves.piece(piece).coarsest; ++level) {
+            for (int j = 0; j < curves.segment_count(piece, level); ++j) {
+                const std::size_t node =
+                    curves.first_point(piece, level) + static_cast<std::size_t>(j);
+                EXPECT_EQ(found.box(curves, piece, level, j).corners,
+                          expected.box(curves, piece, level, j).corners);
+                EXPECT_EQ(found.is_alone(node), expected.is_alone(node));
+            }
+        }
+    }
+    return curves.piece_count() > before.piece_count();
+}
+
+TEST(SafeLevels, PiecesThatNoNewPinCutsAreAsIfBuiltAnew) {
+    int built_again = 0;
+    for (unsigned seed = 0; seed < 30; ++seed) {
+        for (const bool resample : {false, true}) {
+            const TactileMap map = scenes::random_map(seed, 8);
+            built_again += compare_with_unknowing(map, {.resample = resample}) ? 1 : 0;
+        }
+    }
+    EXPECT_GT(built_again, 20);
 }
 
 }  // namespace
