@@ -33,8 +33,8 @@ class StartGrid {
   public:
     /// The cells that a way touches, and how far the way stays from everything outside them.
     struct Cells {
-        int x_first = 0, x_last = -1, y_first = 0, y_last = -1;  // none where last < first
-        double margin_m = 0.0;
+        int x_first, x_last, y_first, y_last;
+        double margin_m;
     };
 
     StartGrid() = default;
@@ -42,8 +42,31 @@ class StartGrid {
     /// `bounds` are those of each stretch, x along and y across. O(stretches + cells).
     StartGrid(std::vector<Stretch> stretches, std::span<const Shadow> bounds);
 
-    /// Returns nothing if the way is too long to be worth it: more than nine cells. O(1).
-    [[nodiscard]] std::optional<Cells> cells_near(const Way& way) const;
+    /// Returns nothing if the way leaves the grid, or is too long to be worth it: more than nine
+    /// cells. O(1).
+    [[nodiscard]] std::optional<Cells> cells_near(const Way& way) const {
+        constexpr int most_cells = 9;
+        // Grown by a quarter of a cell, so that a way beside a border leaves a margin.
+        constexpr double grown = 0.25;
+        const double reach = way.reach_m * per_cell_m_ + grown;
+        const double x = (way.from.x - low_.x) * per_cell_m_;
+        const double y = (way.from.y - low_.y) * per_cell_m_;
+        const double to_x = x + way.by.x * per_cell_m_;
+        const double to_y = y + way.by.y * per_cell_m_;
+        const double left = std::min(x, to_x) - reach;
+        const double right = std::max(x, to_x) + reach;
+        const double bottom = std::min(y, to_y) - reach;
+        const double top = std::max(y, to_y) + reach;
+        if (!((left >= 0.0) & (right < columns_) & (bottom >= 0.0) & (top < rows_))) return {};
+        Cells cells{static_cast<int>(left), static_cast<int>(right), static_cast<int>(bottom),
+                    static_cast<int>(top), 0.0};
+        const int width = cells.x_last - cells.x_first + 1;
+        if (width * (cells.y_last - cells.y_first + 1) > most_cells) return {};
+        const double beside = std::min(left - cells.x_first, cells.x_last + 1 - right);
+        const double off = std::min(bottom - cells.y_first, cells.y_last + 1 - top);
+        cells.margin_m = (std::min(beside, off) + grown) * cell_m_;
+        return cells;
+    }
 
     [[nodiscard]] std::span<const std::int32_t> stretches_in(int x, int y) const {
         const auto cell = static_cast<std::size_t>(y * columns_ + x);
@@ -58,14 +81,6 @@ class StartGrid {
     [[nodiscard]] std::size_t memory_bytes() const;
 
   private:
-    struct Interval {
-        int first, last;
-        double margin_m;
-    };
-
-    [[nodiscard]] Interval interval(double from, double to, double reach_m, double low,
-                                    int count) const;
-
     Position low_;
     double cell_m_ = 1.0;
     double per_cell_m_ = 1.0;
