@@ -109,11 +109,11 @@ Crowding::Crowding(const CollisionTree& tree, const CurveSet& curves, double rea
       reach_m_(2.0 * reach_m),
       left_(64 * curves.point_count() + 4096) {}
 
-std::vector<bool> Crowding::find_alone() {
-    alone_.assign(curves_.point_count(), true);
+NodeFlags Crowding::find_alone() {
+    alone_ = NodeFlags(curves_.point_count(), true);
     settled_.assign(curves_.point_count(), false);
     walk();
-    if (left_ == 0) alone_.assign(alone_.size(), false);
+    if (left_ == 0) alone_ = NodeFlags(curves_.point_count(), false);
     return std::move(alone_);
 }
 
@@ -308,7 +308,7 @@ bool Crowding::are_settled(SegmentRef a, SegmentRef b, int level) const {
 }
 
 void Crowding::mark(SegmentRef a, int level) {
-    alone_[node_at(a, level)] = false;
+    alone_.clear(node_at(a, level));
     if (level == 0) settled_[node_at(a, level)] = true;
 }
 

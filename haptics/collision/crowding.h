@@ -59,7 +59,7 @@ class Crowding {
     /// with all below them, are not compared. If a scene is so crowded that 64 comparisons a node
     /// do not suffice, no node is alone: then every slide asks the tree, which is slower but just
     /// as right.
-    [[nodiscard]] std::vector<bool> find_alone();
+    [[nodiscard]] NodeFlags find_alone();
 
     /// Returns the pairs of levels > 0 whose boxes crowd each other.
     [[nodiscard]] Meetings find_meetings();
@@ -83,7 +83,7 @@ class Crowding {
     void along_level(int piece, int level);
     void look_ahead(int piece, int level, int j, int ahead);
 
-    [[nodiscard]] bool is_pair_wanted() const { return alone_.empty(); }
+    [[nodiscard]] bool is_pair_wanted() const { return settled_.empty(); }
 
     /// The finest level that is looked at.
     [[nodiscard]] int finest() const { return is_pair_wanted() ? 1 : 0; }
@@ -101,8 +101,9 @@ class Crowding {
     const CollisionTree& tree_;
     const CurveSet& curves_;
     double reach_m_;
-    std::vector<bool> alone_;    // empty where the pairs are wanted instead
-    std::vector<bool> settled_;  // neither the node nor any below it is alone
+    NodeFlags alone_;
+    std::vector<bool> settled_;  // neither the node nor any below it is alone; empty where the
+                                 // pairs are wanted instead
     std::vector<MeetingNodes> meetings_;
     std::size_t left_;  // comparisons that may still be made
 };
