@@ -1,5 +1,7 @@
 #include "haptics/collision/box.h"
 
+#include "haptics/collision/lanes.h"
+
 #include <cstring>
 
 namespace touchline {
@@ -16,21 +18,9 @@ bool separates(const Box& box, const Box& other, double reach_m) {
            (at.across_high < box.across_low * square - grow);
 }
 
-using Floats = float __attribute__((vector_size(16)));
-using Masks = std::int32_t __attribute__((vector_size(16)));
+using namespace lanes;
+
 using Halves = std::uint16_t __attribute__((vector_size(16)));
-
-Floats larger(Floats a, Floats b) {
-    return a > b ? a : b;
-}
-
-Floats smaller(Floats a, Floats b) {
-    return a < b ? a : b;
-}
-
-Floats absolute(Floats a) {
-    return larger(a, -a);
-}
 
 struct Extents {
     Floats along_low, along_high, across_low, across_high;
@@ -70,33 +60,6 @@ Floats slab_entry(Floats start, Floats by, Floats low, Floats high) {
     return is_share ? entry : Floats{};
 }
 
-using Pair = double __attribute__((vector_size(16)));
-using SmallPair = float __attribute__((vector_size(8)));
-
-Pair pair(Position p) {
-    return Pair{p.x, p.y};
-}
-
-struct Points {
-    Floats x, y;
-};
-
-/// Rounds four differences of points and transposes them.
-Points rounded(Pair a, Pair b, Pair c, Pair d) {
-    const SmallPair fa = __builtin_convertvector(a, SmallPair);
-    const SmallPair fb = __builtin_convertvector(b, SmallPair);
-    const SmallPair fc = __builtin_convertvector(c, SmallPair);
-    const SmallPair fd = __builtin_convertvector(d, SmallPair);
-    return {Floats{fa[0], fb[0], fc[0], fd[0]}, Floats{fa[1], fb[1], fc[1], fd[1]}};
-}
-
-/// Returns the bits set in any lane.
-unsigned gathered(Masks bits) {
-    const Masks halves = bits | __builtin_shufflevector(bits, bits, 2, 3, 0, 1);
-    const Masks whole = halves | __builtin_shufflevector(halves, halves, 1, 0, 3, 2);
-    return static_cast<unsigned>(whole[0]);
-}
-
 /// Four boxes in the frames of their segments; of bare segments the extents are not looked at.
 struct Four {
     Points axis;
@@ -114,28 +77,13 @@ template <bool are_bare>
             are_bare ? bare_segments : unpacked(extents)};
 }
 
-/// Returns the last 4 - by of `four` and the first of `next`.
 template <int by>
-Floats moved_on(Floats four, Floats next) {
-    return __builtin_shufflevector(four, next, by, by + 1, by + 2, by + 3);
-}
-
-template <int by>
-Points moved_on(const Points& four, const Points& next) {
-    return {moved_on<by>(four.x, next.x), moved_on<by>(four.y, next.y)};
-}
-
-template <int by>
-Four moved_on(const Four& four, const Four& next) {
+Four nodes_moved_on(const Four& four, const Four& next) {
     const Extents& e = four.extents;
     const Extents& f = next.extents;
     return {moved_on<by>(four.axis, next.axis),
             {moved_on<by>(e.along_low, f.along_low), moved_on<by>(e.along_high, f.along_high),
              moved_on<by>(e.across_low, f.across_low), moved_on<by>(e.across_high, f.across_high)}};
-}
-
-Floats length_bounds(const Points& v) {
-    return absolute(v.x) + absolute(v.y);
 }
 
 /// Returns at least how far the boxes go from their origins, in lengths of their axes.
@@ -237,12 +185,12 @@ void sift_fours(const Position* points, const PackedExtents* extents, float reac
         if constexpr (!are_bare) extents += Fan::width;
         const Four far = four_of<are_bare>(points, extents);
         const Points second = moved_on<1>(near.axis, far.axis);
-        const Four two = moved_on<2>(near, far);
+        const Four two = nodes_moved_on<2>(near, far);
         const Points by_two{near.axis.x + second.x, near.axis.y + second.y};
         const Points by_three{by_two.x + two.axis.x, by_two.y + two.axis.y};
         const Floats way = length_bounds(near.axis) + length_bounds(second);
         out = {lanes_apart<are_bare>(near, two, by_two, way, reach, 0b1111U),
-               lanes_apart<are_bare>(near, moved_on<3>(near, far), by_three,
+               lanes_apart<are_bare>(near, nodes_moved_on<3>(near, far), by_three,
                                      way + length_bounds(two.axis), reach, 0b0101U)};
         near = far;
     }
@@ -254,6 +202,23 @@ float least(Floats a) {
 }
 
 }  // namespace
+
+Stay stay_in(const Box& box, const Way& way) {
+    constexpr double far = std::numeric_limits<double>::infinity();
+    const double square = dot(box.axis, box.axis);
+    const double grow = way.reach_m * std::sqrt(square);
+    const auto slab = [=](double start, double by, double low, double high) {
+        const double before = low * square - grow - start;
+        const double after = high * square + grow - start;
+        if (by == 0.0) return before <= 0.0 && after >= 0.0 ? Stay{-far, far} : Stay{};
+        return by > 0.0 ? Stay{before / by, after / by} : Stay{after / by, before / by};
+    };
+    const Position w = way.from - box.origin;
+    const Stay along = slab(dot(box.axis, w), dot(box.axis, way.by), box.along_low, box.along_high);
+    const Stay across =
+        slab(cross(box.axis, w), cross(box.axis, way.by), box.across_low, box.across_high);
+    return {std::max(along.enter, across.enter), std::min(along.leave, across.leave)};
+}
 
 double distance_m(const Box& box, Position p) {
     const double square = dot(box.axis, box.axis);

@@ -116,6 +116,15 @@ struct Approach {
     return {true, std::min(entry, 1.0), 0.0};
 }
 
+/// The shares of a way between which it is inside a box; none if `enter` is not below `leave`.
+struct Stay {
+    double enter = 0.0;
+    double leave = 0.0;
+};
+
+/// Returns where the way's line is inside the box grown by the way's reach.
+[[nodiscard]] Stay stay_in(const Box& box, const Way& way);
+
 /// Returns 0 inside the box.
 [[nodiscard]] double distance_m(const Box& box, Position p);
 

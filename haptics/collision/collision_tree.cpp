@@ -1,5 +1,6 @@
 #include "haptics/collision/collision_tree.h"
 
+#include "haptics/collision/row_scan.h"
 #include "haptics/collision/tree_walk.h"
 
 #include <algorithm>
@@ -10,7 +11,7 @@ namespace {
 
 /// Returns distances as keys, rounded down.
 Sifted distances(const Fan& fan, Position p) {
-    Sifted out{(1U << Fan::width) - 1U, {}, 0.0F};
+    Sifted out{(1U << static_cast<unsigned>(fan.count)) - 1U, {}, 0.0F};
     for (std::size_t k = 0; k < static_cast<std::size_t>(fan.count); ++k) {
         const auto distance = static_cast<float>(distance_m(fan.box(k), p));
         out.key[k] = distance > 0.0F ? std::nextafterf(distance, 0.0F) : 0.0F;
@@ -161,6 +162,14 @@ Hit CollisionTree::first_hit(const CurveSet& curves, const Motion& motion,
     return visitor.result(unopened);
 }
 
+Hit CollisionTree::first_hit_from(const CurveSet& curves, const Motion& motion, SegmentRef start,
+                                  const Budget& budget) const {
+    FirstHit visitor(motion, budget);
+    if (RowScan(*this, curves, motion.level, visitor).run(start)) return visitor.result(INFINITY);
+    TreeWalk walk(*this, curves, motion.level, visitor);
+    return visitor.result(walk.run_near(visitor.way()));
+}
+
 Closest CollisionTree::closest_point(const CurveSet& curves, Position p, double level,
                                      double within_m, const Budget& budget) const {
     ClosestPoint visitor(p, within_m, budget);
@@ -214,7 +223,7 @@ ErrorBox CollisionTree::box(const CurveSet& curves, int piece, int level, int j)
 }
 
 std::size_t CollisionTree::memory_bytes() const {
-    return extents_.capacity() * sizeof(PackedExtents) + alone_.capacity() / 8 +
+    return extents_.capacity() * sizeof(PackedExtents) + alone_.memory_bytes() +
            bounds_.capacity() * sizeof(Bound) + roots_.capacity() * sizeof(Stretch) +
            start_grid_.memory_bytes();
 }

@@ -33,8 +33,8 @@ class StartGrid {
   public:
     /// The cells that a way touches, and how far the way stays from everything outside them.
     struct Cells {
-        int x_first = 0, x_last = -1, y_first = 0, y_last = -1;  // none where last < first
-        double margin_m = 0.0;
+        int x_first, x_last, y_first, y_last;
+        double margin_m;
     };
 
     StartGrid() = default;
@@ -42,8 +42,31 @@ class StartGrid {
     /// `bounds` are those of each stretch, x along and y across. O(stretches + cells).
     StartGrid(std::vector<Stretch> stretches, std::span<const Shadow> bounds);
 
-    /// Returns nothing if the way is too long to be worth it: more than nine cells. O(1).
-    [[nodiscard]] std::optional<Cells> cells_near(const Way& way) const;
+    /// Returns nothing if the way leaves the grid, or is too long to be worth it: more than nine
+    /// cells. O(1).
+    [[nodiscard]] std::optional<Cells> cells_near(const Way& way) const {
+        constexpr int most_cells = 9;
+        // Grown by a quarter of a cell, so that a way beside a border leaves a margin.
+        constexpr double grown = 0.25;
+        const double reach = way.reach_m * per_cell_m_ + grown;
+        const double x = (way.from.x - low_.x) * per_cell_m_;
+        const double y = (way.from.y - low_.y) * per_cell_m_;
+        const double to_x = x + way.by.x * per_cell_m_;
+        const double to_y = y + way.by.y * per_cell_m_;
+        const double left = std::min(x, to_x) - reach;
+        const double right = std::max(x, to_x) + reach;
+        const double bottom = std::min(y, to_y) - reach;
+        const double top = std::max(y, to_y) + reach;
+        if (!((left >= 0.0) & (right < columns_) & (bottom >= 0.0) & (top < rows_))) return {};
+        Cells cells{static_cast<int>(left), static_cast<int>(right), static_cast<int>(bottom),
+                    static_cast<int>(top), 0.0};
+        const int width = cells.x_last - cells.x_first + 1;
+        if (width * (cells.y_last - cells.y_first + 1) > most_cells) return {};
+        const double beside = std::min(left - cells.x_first, cells.x_last + 1 - right);
+        const double off = std::min(bottom - cells.y_first, cells.y_last + 1 - top);
+        cells.margin_m = (std::min(beside, off) + grown) * cell_m_;
+        return cells;
+    }
 
     [[nodiscard]] std::span<const std::int32_t> stretches_in(int x, int y) const {
         const auto cell = static_cast<std::size_t>(y * columns_ + x);
@@ -58,14 +81,6 @@ class StartGrid {
     [[nodiscard]] std::size_t memory_bytes() const;
 
   private:
-    struct Interval {
-        int first, last;
-        double margin_m;
-    };
-
-    [[nodiscard]] Interval interval(double from, double to, double reach_m, double low,
-                                    int count) const;
-
     Position low_;
     double cell_m_ = 1.0;
     double per_cell_m_ = 1.0;
@@ -137,6 +152,36 @@ class Spender {
     int opened_ = 0;
 };
 
+/// A flag for each node.
+class NodeFlags {
+  public:
+    NodeFlags() = default;
+
+    NodeFlags(std::size_t count, bool value)
+        : words_(count / 64 + 2, value ? ~std::uint64_t{0} : std::uint64_t{0}) {}
+
+    [[nodiscard]] bool operator[](std::size_t node) const {
+        return (words_[node / 64] >> (node % 64) & 1U) != 0;
+    }
+
+    void clear(std::size_t node) { words_[node / 64] &= ~(std::uint64_t{1} << (node % 64)); }
+
+    /// Returns the flags of 64 nodes, the lowest bit for `first`; those beyond the last node mean
+    /// nothing.
+    [[nodiscard]] std::uint64_t from(std::size_t first) const {
+        const std::size_t shift = first % 64;
+        const std::uint64_t low = words_[first / 64] >> shift;
+        return shift == 0 ? low : low | words_[first / 64 + 1] << (64 - shift);
+    }
+
+    [[nodiscard]] std::size_t memory_bytes() const {
+        return words_.capacity() * sizeof(std::uint64_t);
+    }
+
+  private:
+    std::vector<std::uint64_t> words_;  // one more than the nodes need
+};
+
 /// The first contact of a motion. Boxes that the budget left unopened count as obstacles: `clear`
 /// is the share of the motion proven free of them, and a hit counts only before all of them. So a
 /// query is right whenever it is stopped, and `clear` never falls as the budget grows.
@@ -183,6 +228,11 @@ class CollisionTree {
     [[nodiscard]] Hit first_hit(const CurveSet& curves, const Motion& motion,
                                 const Budget& budget) const;
 
+    /// The same for a motion that starts at a segment as rendered at its level, as when a proxy
+    /// lifts off: faster if it soon meets another segment along the outline.
+    [[nodiscard]] Hit first_hit_from(const CurveSet& curves, const Motion& motion, SegmentRef start,
+                                     const Budget& budget) const;
+
     /// The paper's query (section 3): refines the boxes that the motion meets level by level, and
     /// when the budget ends, answers exactly for the level that all of them reached. That level
     /// never coarsens as the budget grows. Holds at most 1024 boxes of a level.
@@ -213,6 +263,9 @@ class CollisionTree {
     /// grown by the radius of build(). Sliding along what it holds then needs no query, only a look
     /// at its neighbours (at a fractional level three segments each way). O(1).
     [[nodiscard]] bool is_alone(std::size_t node) const { return alone_[node]; }
+
+    /// The same for 64 nodes from `first` on, see NodeFlags::from().
+    [[nodiscard]] std::uint64_t alone_from(std::size_t first) const { return alone_.from(first); }
 
     /// Finds the boundary section for a handle (paper section 3): the nodes whose box does not hold
     /// the handle while their parent's does, and, if the boxes hold it down to `level`, the nodes
@@ -267,7 +320,7 @@ class CollisionTree {
 
     std::vector<PackedExtents> extents_;  // of levels 1 ... L, in the order of the curves' points,
                                           // and three more, so that four may be read at any index
-    std::vector<bool> alone_;             // of all levels, in the order of the curves' points
+    NodeFlags alone_;                     // of all levels, in the order of the curves' points
     std::vector<Bound> bounds_;
     std::vector<Stretch> roots_;  // the coarsest segments of all pieces
     StartGrid start_grid_;
@@ -277,6 +330,8 @@ class CollisionTree {
     friend class CollisionTreeBuilder;
     friend class Crowding;
     friend class LevelByLevel;
+    template <class Visitor>
+    friend class RowScan;
     template <class Visitor>
     friend class TreeWalk;
 };

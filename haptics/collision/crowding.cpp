@@ -111,13 +111,13 @@ Crowding::Crowding(const CollisionTree& tree, const CurveSet& curves, double rea
       is_known_(static_cast<std::size_t>(curves.piece_count()), false),
       left_(64 * curves.point_count() + 4096) {}
 
-std::vector<bool> Crowding::find_alone(const std::optional<std::vector<MeetingNodes>>& close) {
+NodeFlags Crowding::find_alone(const std::optional<std::vector<MeetingNodes>>& close) {
     is_close_known_ = close.has_value() && reach_m_ <= point_reach_m;
     if (is_close_known_) close_ = *close;
-    alone_.assign(curves_.point_count(), true);
+    alone_ = NodeFlags(curves_.point_count(), true);
     settled_.assign(curves_.point_count(), false);
     walk();
-    if (left_ == 0) alone_.assign(alone_.size(), false);
+    if (left_ == 0) alone_ = NodeFlags(curves_.point_count(), false);
     return std::move(alone_);
 }
 
@@ -392,7 +392,7 @@ bool Crowding::are_settled(SegmentRef a, SegmentRef b, int level) const {
 }
 
 void Crowding::mark(SegmentRef a, int level) {
-    alone_[node_at(a, level)] = false;
+    alone_.clear(node_at(a, level));
     if (level == 0) settled_[node_at(a, level)] = true;
 }
 

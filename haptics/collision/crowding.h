@@ -64,8 +64,7 @@ class Crowding {
     /// with all below them, are not compared. If a scene is so crowded that 64 comparisons a node
     /// do not suffice, no node is alone: then every slide asks the tree, which is slower but just
     /// as right. `close`, if given, spares a sift at a point's reach.
-    [[nodiscard]] std::vector<bool> find_alone(
-        const std::optional<std::vector<MeetingNodes>>& close);
+    [[nodiscard]] NodeFlags find_alone(const std::optional<std::vector<MeetingNodes>>& close);
 
     /// Returns the pairs of levels > 0 whose boxes crowd each other. `known` holds those of two
     /// pieces whose flag is set, as an earlier walk found them; these are not compared.
@@ -94,7 +93,7 @@ class Crowding {
     void look_at_close(int piece, int level);
     void look_ahead(int piece, int level, int j, int ahead);
 
-    [[nodiscard]] bool is_pair_wanted() const { return alone_.empty(); }
+    [[nodiscard]] bool is_pair_wanted() const { return settled_.empty(); }
 
     /// The finest level that is looked at.
     [[nodiscard]] int finest() const { return is_pair_wanted() ? 1 : 0; }
@@ -113,8 +112,9 @@ class Crowding {
     const CollisionTree& tree_;
     const CurveSet& curves_;
     double reach_m_;
-    std::vector<bool> alone_;    // empty where the pairs are wanted instead
-    std::vector<bool> settled_;  // neither the node nor any below it is alone
+    NodeFlags alone_;
+    std::vector<bool> settled_;  // neither the node nor any below it is alone; empty where the
+                                 // pairs are wanted instead
     Meetings meetings_;
     std::span<const MeetingNodes> close_;  // left to look at
     bool is_close_known_ = false;

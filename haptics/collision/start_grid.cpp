@@ -10,7 +10,6 @@ namespace {
 constexpr double cells_per_stretch = 32.0;
 constexpr double least_cells = 256.0;
 constexpr double most_cells = 262144.0;
-constexpr int most_cells_asked = 9;
 constexpr double least_cell_m = 2e-4;  // a fast hand's way in a tick
 
 }  // namespace
@@ -27,8 +26,10 @@ StartGrid::StartGrid(std::vector<Stretch> stretches, std::span<const Shadow> bou
     cell_m_ = std::max(
         {std::sqrt(size.x * size.y / wanted), std::max(size.x, size.y) / wanted, least_cell_m});
     per_cell_m_ = 1.0 / cell_m_;
-    columns_ = 1 + static_cast<int>(size.x * per_cell_m_);
-    rows_ = 1 + static_cast<int>(size.y * per_cell_m_);
+    // A border of empty cells, so that a way along the outermost lines stays inside.
+    low_ = low_ - Position{cell_m_, cell_m_};
+    columns_ = 3 + static_cast<int>(size.x * per_cell_m_);
+    rows_ = 3 + static_cast<int>(size.y * per_cell_m_);
     const auto column = [&](double x) {
         return std::clamp(static_cast<int>((x - low_.x) * per_cell_m_), 0, columns_ - 1);
     };
@@ -53,41 +54,6 @@ StartGrid::StartGrid(std::vector<Stretch> stretches, std::span<const Shadow> bou
     for_each_cell([&](std::size_t cell, std::size_t i) {
         items_[static_cast<std::size_t>(next[cell]++)] = static_cast<std::int32_t>(i);
     });
-}
-
-/// Returns the cells along one axis. There is nothing beyond the grid, so its border sets no
-/// margin.
-StartGrid::Interval StartGrid::interval(double from, double to, double reach_m, double low,
-                                        int count) const {
-    constexpr double far = std::numeric_limits<double>::infinity();
-    const double begin = (std::min(from, to) - reach_m - low) * per_cell_m_;
-    const double end = (std::max(from, to) + reach_m - low) * per_cell_m_;
-    if (!(end >= 0.0)) return {0, -1, -end * cell_m_};
-    if (!(begin <= count)) return {0, -1, (begin - count) * cell_m_};
-    const int first = begin > 0.0 ? static_cast<int>(begin) : 0;
-    const int last = end < count ? static_cast<int>(end) : count - 1;
-    const double before = first > 0 ? begin - first : far;
-    const double after = last + 1 < count ? last + 1 - end : far;
-    return {std::min(first, count - 1), last, std::min(before, after) * cell_m_};
-}
-
-std::optional<StartGrid::Cells> StartGrid::cells_near(const Way& way) const {
-    if (stretches_.empty()) return Cells{0, -1, 0, -1, std::numeric_limits<double>::infinity()};
-    // Grown by a quarter of a cell, so that a way beside a border leaves a margin.
-    const double reach_m = way.reach_m + 0.25 * cell_m_;
-    const Position to = way.from + way.by;
-    const Interval x = interval(way.from.x, to.x, reach_m, low_.x, columns_);
-    const Interval y = interval(way.from.y, to.y, reach_m, low_.y, rows_);
-    const bool is_out = x.last < x.first || y.last < y.first;
-    if (is_out) {
-        const double out_x = x.last < x.first ? x.margin_m : 0.0;
-        const double out_y = y.last < y.first ? y.margin_m : 0.0;
-        return Cells{0, -1, 0, -1, std::max(out_x, out_y)};
-    }
-    const int cells = (x.last - x.first + 1) * (y.last - y.first + 1);
-    if (cells > most_cells_asked) return {};
-    return Cells{x.first, x.last, y.first, y.last,
-                 std::min(x.margin_m, y.margin_m) + 0.25 * cell_m_};
 }
 
 std::size_t StartGrid::memory_bytes() const {

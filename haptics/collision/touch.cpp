@@ -242,8 +242,12 @@ std::optional<Crossing> crossing(Position from, Position to, const Segment& segm
 std::optional<Touch> touch(Position from, Position to, double radius_m, const Segment& segment) {
     if (radius_m == 0.0) return touch_point(from, to, segment);
     const Position e = segment.b - segment.a;
+    const Foot below = foot(from, segment);
+    // Away from a line that it lies beside, a disc only gets farther from the segment.
+    const bool is_beside = below.parameter > 0.0 && below.parameter < 1.0;
+    if (is_beside && cross(e, from - segment.a) * cross(e, to - from) >= 0.0) return {};
     const double length = norm(e);
-    const double start = foot(from, segment).distance_m;
+    const double start = below.distance_m;
     // Over many motions a tolerance would add up, so there is none once half the skin is gone, even
     // for a disc that keeps less than its radius by now.
     const bool is_kept = start > std::max(radius_m - 0.5 * contact_skin_m, 0.5 * contact_skin_m);

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <optional>
 
@@ -49,8 +50,8 @@ class TreeWalk {
     /// The same for a search that only matters near a way. Starts at the grid if the way is short
     /// and the level is no coarser than the grid's.
     double run_near(const Way& way) {
-        std::optional<StartGrid::Cells> cells;
-        if (level_ <= tree_.start_level_) cells = tree_.start_grid_.cells_near(way);
+        if (!(level_ <= tree_.start_level_)) return run();
+        const std::optional<StartGrid::Cells> cells = tree_.start_grid_.cells_near(way);
         if (!cells) return run();
         visitor_.spare(cells->margin_m);
         return run_from(*cells);
@@ -64,8 +65,7 @@ class TreeWalk {
                     if (has_met(i)) continue;
                     const Stretch& stretch = tree_.start_grid_.stretch(i);
                     if (!visitor_.spend(stretch.count)) return 0.0;
-                    const double unopened = start(stretch);
-                    if (std::isfinite(unopened)) return 0.0;
+                    if (!start(stretch)) return 0.0;
                 }
             }
         }
@@ -74,20 +74,22 @@ class TreeWalk {
 
     /// Whether another cell that shares the stretch has already led to it, as far as remembered.
     bool has_met(std::int32_t stretch) {
-        for (const std::int32_t met : met_) {
-            if (met == stretch) return true;
+        const std::size_t remembered = std::min(met_count_, met_.size());
+        for (std::size_t i = 0; i < remembered; ++i) {
+            if (met_[i] == stretch) return true;
         }
-        met_[next_met_] = stretch;
-        next_met_ = (next_met_ + 1) % met_.size();
+        met_[met_count_++ % met_.size()] = stretch;
         return false;
     }
 
-    /// Walks a stretch of the grid and everything below it.
-    double start(const Stretch& stretch) {
+    /// Walks a stretch of the grid and everything below it. Returns false if the budget ended.
+    bool start(const Stretch& stretch) {
+        const Sifted found = visitor_.sift(tree_.fan(curves_, stretch, buffer_));
+        if (found.near == 0) return true;
         look_up(stretch.piece);
         first_of_fan_ = size_;
-        open_fan(stretch.level, stretch.first, stretch.count, 0.0);
-        return finish();
+        push_fan(found, stretch, 0.0);
+        return !std::isfinite(finish());
     }
 
     double finish() {
@@ -151,7 +153,7 @@ class TreeWalk {
         }
         const auto& roots = tree_.roots_[static_cast<std::size_t>(-bound.left - 1)];
         look_up(roots.piece);
-        open_fan(roots.level, roots.first, roots.count, entry.key);
+        open_fan(roots, entry.key);
     }
 
     void open_node(const Entry& entry) {
@@ -165,7 +167,7 @@ class TreeWalk {
         const int level = entry.level - down;
         const int first = entry.index << down;
         const int count = std::min(1 << down, curves_.segment_count(piece_, level) - first);
-        open_fan(level, first, count, entry.key);
+        open_fan({piece_, level, first, count}, entry.key);
     }
 
     /// The number of levels opened at once.
@@ -184,18 +186,21 @@ class TreeWalk {
         return entry.level == leaf_level_ ? 1 : (1 << depth_of(entry)) - 1;
     }
 
-    /// Looks at `count` neighbouring nodes.
-    void open_fan(int level, int first, int count, double parent_key) {
-        const bool are_leaves = level == leaf_level_ && !is_blend_ && !Visitor::asks_leaf_boxes;
-        const Fan fan = tree_.fan(curves_, {piece_, level, first, count}, buffer_);
-        const Sifted found = visitor_.sift(fan);
-        for (int k = 0; k < count; ++k) {
-            if ((found.near & (1U << k)) == 0) continue;
+    /// Looks at neighbouring nodes of the piece that is looked up.
+    void open_fan(const Stretch& nodes, double parent_key) {
+        push_fan(visitor_.sift(tree_.fan(curves_, nodes, buffer_)), nodes, parent_key);
+    }
+
+    void push_fan(const Sifted& found, const Stretch& nodes, double parent_key) {
+        const bool are_leaves =
+            nodes.level == leaf_level_ && !is_blend_ && !Visitor::asks_leaf_boxes;
+        for (unsigned near = found.near; near != 0; near &= near - 1) {
+            const int k = std::countr_zero(near);
             if (are_leaves) {
-                leaf(first + k);
+                leaf(nodes.first + k);
             } else {
                 push(static_cast<double>(found.key[static_cast<std::size_t>(k)]), parent_key,
-                     {0.0, piece_, level, first + k});
+                     {0.0, piece_, nodes.level, nodes.first + k});
             }
         }
     }
@@ -241,8 +246,8 @@ class TreeWalk {
     RenderedPiece rendered_;  // of that piece
     std::size_t size_ = 0;
     std::size_t first_of_fan_ = 0;
-    std::array<std::int32_t, 8> met_{-1, -1, -1, -1, -1, -1, -1, -1};
-    std::size_t next_met_ = 0;
+    std::size_t met_count_ = 0;
+    std::array<std::int32_t, 8> met_;  // the last ones
     CollisionTree::FanBuffer buffer_{};
     std::array<Entry, capacity> stack_;
 };

@@ -8,63 +8,9 @@
 namespace touchline {
 namespace {
 
-// The centre may lie up to two skins off beside a vertex, which moves its distance to the handle
-// and, by friction, what holds it.
-constexpr double slack_m = 5.0 * contact_skin_m;
-constexpr double least_square_m2 = 64.0 * contact_skin_m * contact_skin_m;  // of an edge's length
-constexpr double least_cosine2 = 0.01;                                      // of a turn, squared
-
-/// A handle as seen from the start of an edge, times the edge's length: exact signs, no root.
-struct Look {
-    double along;  // ahead
-    double depth;  // behind the edge
-    double slack;
-    double square;  // of the edge's length
-};
-
-Look look(Position edge, Position to_handle, double side_of_travel) {
-    return {dot(edge, to_handle), -side_of_travel * cross(edge, to_handle),
-            slack_m * (std::abs(edge.x) + std::abs(edge.y)), dot(edge, edge)};
-}
-
 constexpr int longest_stride = 64;  // vertices between two looks at the clock: under 1 us
 
 }  // namespace
-
-int vertices_passed(const EdgeRow& row, const CollisionTree& tree, int index, bool is_forward,
-                    const Pull& pull, int most) {
-    const int step = is_forward ? 1 : -1;
-    const double side = static_cast<double>(pull.side) * step;
-    const auto count = static_cast<int>(row.points.size());
-    const Position* const points = row.points.data();
-    int vertex = is_forward ? index + 1 : index;  // the one ahead
-    const int behind = vertex - step;
-    if (behind < 0 || behind >= count || vertex < 0 || vertex >= count) return 0;
-    Position edge = points[vertex] - points[behind];
-    Look at = look(edge, pull.handle - points[behind], side);
-    int passed = 0;
-    for (; passed < most; ++passed) {
-        const int ahead = vertex + step;
-        if (ahead < 0 || ahead >= count) break;
-        const bool is_pulled_to_end =
-            at.along - at.square > held_by_friction(pull.friction, at.depth) + at.slack &&
-            at.depth >= 0.0;
-        const Position next = points[ahead] - points[vertex];
-        const Look there = look(next, pull.handle - points[vertex], side);
-        const bool is_pulled_on =
-            there.depth >= there.slack &&
-            there.along > held_by_friction(pull.friction, there.depth) + there.slack;
-        const double turn = dot(edge, next);
-        const bool is_gentle = turn > 0.0 && turn * turn > least_cosine2 * at.square * there.square;
-        const bool is_edge = there.square > least_square_m2;
-        const auto node = row.first_node + static_cast<std::size_t>(is_forward ? vertex : ahead);
-        if (!(is_pulled_to_end & is_pulled_on & is_gentle & is_edge) || !tree.is_alone(node)) break;
-        edge = next;
-        at = there;
-        vertex = ahead;
-    }
-    return passed;
-}
 
 Passage passage(Position vertex, Direction before, Direction after, double side_of_travel,
                 double skin_m) {
@@ -109,7 +55,8 @@ ContactStep::Next ContactStep::move_free() {
         place(handle_);
         return Next::done;
     }
-    const Sweep found = sweep(handle_, radius_m_, {}, false);
+    const Sweep found = way_m > still_m ? sweep_tree(handle_, radius_m_, {}, left_) : Sweep{};
+    left_ = {};
     proxy_.spare_m = found.spare_m;
     if (found.contact) {
         first() = *found.contact;
@@ -133,7 +80,7 @@ ContactStep::Next ContactStep::move_on_edge() {
         if (rest_on_edge()) return Next::done;
         const bool is_on = stride();
         if ((is_on && rest_on_edge()) || rest_in_corner()) return Next::done;
-        if (is_on) return Next::again;
+        if (lift_off() || is_on) return Next::again;
     }
     ++walks_;
     const Contact& at = first();
@@ -228,7 +175,7 @@ bool ContactStep::rest_on_edge() {
     const double left_m = (is_forward ? 1.0 - at.parameter : at.parameter) * edge.length_m;
     const bool is_short = way_m > 0.0 && way_m + 2.0 * at.offset_m <= left_m;
     if (!(depth >= 0.0 && is_short)) return false;
-    if (!(is_forward ? edge.is_open_ahead : edge.is_open_behind)) return false;
+    if (!outlines_.is_open(at.segment, is_forward)) return false;
     at.parameter += std::copysign(way_m * edge.per_length_m, pulled_m);
     place_at_contact(edge.segment);
     return true;
@@ -274,7 +221,7 @@ bool ContactStep::rest_in_corner() {
     const Position pull = handle_ - proxy_.centre;
     const double pulled_m = dot(pull, edge.along);
     const bool is_forward = pulled_m > 0.0;
-    if (!(is_forward ? edge.is_open_ahead : edge.is_open_behind)) return false;
+    if (!outlines_.is_open(at.segment, is_forward)) return false;
     const SegmentRef next = outlines_.next(at.segment, is_forward);
     if (next.piece < 0) return false;
     const double left_m = (is_forward ? 1.0 - at.parameter : at.parameter) * edge.length_m;
@@ -305,6 +252,45 @@ bool ContactStep::rest_in_corner() {
     return true;
 }
 
+/// Leaves a thin proxy's edge at a convex vertex if the handle, pulling past its end, does not
+/// press on the next edge. Returns false, and does nothing, if there is more to it.
+bool ContactStep::lift_off() {
+    const Contact& at = first();
+    const Edge edge = outlines_.edge(at.segment);
+    const Position pull = handle_ - proxy_.centre;
+    const double pulled_m = dot(pull, edge.along);
+    const bool is_forward = pulled_m > 0.0;
+    const double left_m = (is_forward ? 1.0 - at.parameter : at.parameter) * edge.length_m;
+    const double depth = -dot(pull, at.normal);
+    const double way_m = std::abs(pulled_m) - held_by_friction(settings_.friction, depth);
+    if (!(depth >= 0.0 && way_m > left_m) || !outlines_.is_open(at.segment, is_forward))
+        return false;
+    const SegmentRef next = outlines_.next(at.segment, is_forward);
+    if (next.piece < 0 || !outlines_.is_alone(next)) return false;
+    const double sign = is_forward ? 1.0 : -1.0;
+    const Segment ahead = outlines_.segment(next);
+    const Position after = sign * (ahead.b - ahead.a);
+    const double length_m = norm(after);
+    const Position vertex = is_forward ? edge.segment.b : edge.segment.a;
+    const Position to_handle = handle_ - vertex;
+    const double distance_m = norm(to_handle);
+    const bool is_long = std::min(length_m, distance_m) > 8.0 * at.offset_m;
+    const bool is_convex = dot(after, at.normal) < 0.0;
+    // Times the next edge's length.
+    const double off_m2 = sign * sign_of(at.side) * cross(after, to_handle);
+    if (!(is_long && is_convex && off_m2 > 2.0 * at.offset_m * length_m)) return false;
+    // From here on the handle pulls along the tangent of the arc round the vertex.
+    const Direction ahead_of = along<Direction>(to_handle, 1.0 / distance_m);
+    const Direction left = left_of(ahead_of);
+    const double cosine = at.offset_m / distance_m;
+    const double sine = std::copysign(std::sqrt(1.0 - cosine * cosine), dot(left, at.normal));
+    ++walks_;
+    place(vertex + along<Position>(at.normal, at.offset_m));
+    place(vertex + along<Position>(cosine * ahead_of + sine * left, at.offset_m));
+    let_go();
+    return true;
+}
+
 /// From one edge of the contact's piece to the next, up the row (step 1) or down (-1).
 Passage ContactStep::passage_after(int index, int step) {
     const Contact& at = first();
@@ -317,6 +303,7 @@ Passage ContactStep::passage_after(int index, int step) {
 
 /// A vertex is left over its edge.
 ContactStep::Next ContactStep::let_go() {
+    left_ = first().segment;
     proxy_.contact_count = 0;
     enter(ContactState::edge);
     enter(ContactState::free);
@@ -355,17 +342,22 @@ void ContactStep::place_at_contact(const Segment& segment) {
 ContactStep::Sweep ContactStep::sweep(Position to, double radius_m, const Excluded& excluded,
                                       bool is_alone) {
     if (norm(to - proxy_.centre) <= still_m) return {};
-    return is_alone ? sweep_neighbours(to, radius_m, excluded) : sweep_tree(to, radius_m, excluded);
+    return is_alone ? sweep_neighbours(to, radius_m, excluded)
+                    : sweep_tree(to, radius_m, excluded, {});
 }
 
-ContactStep::Sweep ContactStep::sweep_tree(Position to, double radius_m, const Excluded& excluded) {
+ContactStep::Sweep ContactStep::sweep_tree(Position to, double radius_m, const Excluded& excluded,
+                                           SegmentRef start) {
     if (queries_ == max_tree_queries) {
         report_->clear = 0.0;
         return {0.0, true, 0.0, {}};
     }
     ++queries_;
     const Motion motion{proxy_.centre, to, radius_m, outlines_.level(), excluded};
-    const Hit hit = outlines_.scene().tree.first_hit(outlines_.scene().curves, motion, budget_);
+    const Scene& scene = outlines_.scene();
+    const Hit hit = start.piece < 0
+                        ? scene.tree.first_hit(scene.curves, motion, budget_)
+                        : scene.tree.first_hit_from(scene.curves, motion, start, budget_);
     budget_.boxes -= hit.boxes;
     report_->boxes += hit.boxes;
     if (!hit.is_hit) report_->clear = std::min(report_->clear, hit.clear);

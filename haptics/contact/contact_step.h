@@ -1,7 +1,5 @@
-// One servo step of the contact machine in wall mode. If an outline is rendered more finely than
-// the hand moves, a step passes many short edges, and a look at each must cost only a few
-// nanoseconds: a stride says how far along a row of edges the handle pulls a thin proxy without a
-// stop. Threads: pure functions, and a value on the stack of ContactMachine::step(). No allocation.
+// One servo step of the contact machine in wall mode. Threads: pure functions, and a value on the
+// stack of ContactMachine::step(). No allocation.
 #pragma once
 
 #include "config/types/vec2.h"
@@ -11,28 +9,13 @@
 #include "haptics/contact/contact_machine.h"
 #include "haptics/contact/proxy_state.h"
 #include "haptics/contact/rendered_outlines.h"
+#include "haptics/contact/stride.h"
 
 #include <algorithm>
 #include <optional>
 #include <vector>
 
 namespace touchline {
-
-/// What pulls, and the side of the outline along which it pulls the proxy.
-struct Pull {
-    Position handle;
-    Side side = Side::left;
-    double friction = 0.0;  // 0 ... 1
-};
-
-/// Returns how many vertices in a row a proxy, a point on edge `index`, is pulled over. A vertex
-/// counts if the handle's foot lies beyond the edge's end, and the handle presses on the next edge
-/// and pulls along it by more than friction holds. It counts only if this is clear for any offset
-/// of up to two contact skins, both edges are alone, and the next one turns by less than 84
-/// degrees; at most `most`, and not over the end of the row. No root, no division: about 40
-/// operations a vertex.
-[[nodiscard]] int vertices_passed(const EdgeRow& row, const CollisionTree& tree, int index,
-                                  bool is_forward, const Pull& pull, int most);
 
 /// How the centre of a proxy that keeps `skin_m` from both edges gets past a vertex.
 struct Passage {
@@ -96,6 +79,7 @@ class ContactStep {
     bool rest_on_edge();
     bool stride();
     bool rest_in_corner();
+    bool lift_off();
     [[nodiscard]] Passage passage_after(int index, int step);
 
     Next let_go();
@@ -111,7 +95,8 @@ class ContactStep {
                                  double& pull_m) const;
     [[nodiscard]] Sweep sweep(Position to, double radius_m, const Excluded& excluded,
                               bool is_alone);
-    [[nodiscard]] Sweep sweep_tree(Position to, double radius_m, const Excluded& excluded);
+    [[nodiscard]] Sweep sweep_tree(Position to, double radius_m, const Excluded& excluded,
+                                   SegmentRef start);
     [[nodiscard]] Sweep sweep_neighbours(Position to, double radius_m, const Excluded& excluded);
     [[nodiscard]] std::optional<Contact> too_near(Position centre, double radius_m);
     [[nodiscard]] Contact contact_of(SegmentRef segment, Touch touch);
@@ -133,6 +118,7 @@ class ContactStep {
     std::vector<Position>* path_;
     double radius_m_;
     Position handle_;
+    SegmentRef left_;       // by a proxy that has just let go
     Position last_corner_;  // the corner last visited and how often without moving away
     int visits_ = 0;
     int walks_ = 0;

@@ -21,17 +21,16 @@ void RenderedOutlines::look_up_edge(SegmentRef ref) {
     const double per_length = length > 0.0 ? 1.0 / length : 0.0;
     const Direction along_it = length > 0.0 ? along<Direction>(e, per_length) : Direction{1.0, 0.0};
     edge_ = {ref, s, along_it, length, per_length};
-    edge_.is_open_ahead = is_open(edge_, true);
-    edge_.is_open_behind = is_open(edge_, false);
+    ahead_ = behind_ = Openness::unknown;
 }
 
-/// Only if both are whole segments of their levels: for a blend, "alone" says less.
-bool RenderedOutlines::is_open(const Edge& edge, bool is_forward) {
-    if (is_fractional() || !is_alone(edge.ref)) return false;
-    const SegmentRef neighbour = next(edge.ref, is_forward);
-    if (neighbour.piece < 0) return true;
+/// Open only if both are whole segments of their levels: for a blend, "alone" says less.
+RenderedOutlines::Openness RenderedOutlines::openness(bool is_forward) {
+    if (is_fractional() || !is_alone(edge_.ref)) return Openness::closed;
+    const SegmentRef neighbour = next(edge_.ref, is_forward);
+    if (neighbour.piece < 0) return Openness::open;
     const Segment s = segment(neighbour);
-    return dot(edge.along, s.b - s.a) >= 0.0;
+    return dot(edge_.along, s.b - s.a) >= 0.0 ? Openness::open : Openness::closed;
 }
 
 }  // namespace touchline

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 namespace touchline {
@@ -17,10 +18,6 @@ struct Edge {
     Direction along;
     double length_m = 0.0;
     double per_length_m = 0.0;  // 1 / length; 0 where there is none
-    // A slide towards the edge's end (start) that stops short of it can meet nothing: the edge is
-    // alone, and the next one does not run back beside it.
-    bool is_open_ahead = false;
-    bool is_open_behind = false;
 };
 
 /// The edges of one piece at a whole level: edge j lies between points j and j + 1.
@@ -65,6 +62,15 @@ class RenderedOutlines {
     [[nodiscard]] const Edge& edge(SegmentRef ref) {
         if (ref != edge_.ref) look_up_edge(ref);
         return edge_;
+    }
+
+    /// Whether a slide towards the edge's end (start) that stops short of it can meet nothing: the
+    /// edge is alone, and the next one does not run back beside it.
+    [[nodiscard]] bool is_open(SegmentRef ref, bool is_forward) {
+        if (ref != edge_.ref) look_up_edge(ref);
+        Openness& known = is_forward ? ahead_ : behind_;
+        if (known == Openness::unknown) known = openness(is_forward);
+        return known == Openness::open;
     }
 
     [[nodiscard]] const EdgeRow& row(int piece) {
@@ -112,7 +118,10 @@ class RenderedOutlines {
 
     void look_up_piece(int piece);
     void look_up_edge(SegmentRef ref);
-    [[nodiscard]] bool is_open(const Edge& edge, bool is_forward);
+
+    enum class Openness : std::uint8_t { unknown, open, closed };
+
+    [[nodiscard]] Openness openness(bool is_forward);
 
     const Scene* scene_ = nullptr;
     double level_ = 0.0;
@@ -122,7 +131,9 @@ class RenderedOutlines {
     std::size_t first_node_ = 0;
     int halves_ = 0;  // 1: a node holds two rendered segments
     EdgeRow row_;
-    Edge edge_;  // the last one asked for
+    Edge edge_;                           // the last one asked for
+    Openness ahead_ = Openness::unknown;  // of it
+    Openness behind_ = Openness::unknown;
 };
 
 }  // namespace touchline

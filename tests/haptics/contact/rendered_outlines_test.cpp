@@ -53,8 +53,8 @@ TEST(RenderedOutlines, ASlideIsOpenWhereNothingRunsBack) {
     const bool ahead[] = {true, false, true, true};
     const bool behind[] = {true, true, false, true};
     for (std::size_t i = 0; i < 4; ++i) {
-        EXPECT_EQ(found[i].is_open_ahead, ahead[i]) << i;
-        EXPECT_EQ(found[i].is_open_behind, behind[i]) << i;
+        EXPECT_EQ(outlines.is_open(found[i].ref, true), ahead[i]) << i;
+        EXPECT_EQ(outlines.is_open(found[i].ref, false), behind[i]) << i;
     }
 }
 
@@ -62,8 +62,8 @@ TEST(RenderedOutlines, ASlideIsOpenIntoARightAngle) {
     const Scene scene = scene_of({{{0, 0}, {8, 0}, {8, 8}}});
     RenderedOutlines outlines(scene, 0.0);
     const std::vector<Edge> found = edges(outlines);
-    EXPECT_TRUE(found[0].is_open_ahead);
-    EXPECT_TRUE(found[1].is_open_behind);
+    EXPECT_TRUE(outlines.is_open(found[0].ref, true));
+    EXPECT_TRUE(outlines.is_open(found[1].ref, false));
 }
 
 /// Less is known of a blended line, or of one with another line near.
@@ -72,9 +72,10 @@ TEST(RenderedOutlines, NoSlideIsOpenBetweenLevelsOrBesideAnotherLine) {
     for (const double level : {0.0, 0.5}) {
         RenderedOutlines outlines(scene, level);
         for (int piece = 0; piece < 3; ++piece) {
-            const Edge edge = outlines.edge({piece, 0});
-            EXPECT_EQ(edge.is_open_ahead, piece == 0 && level == 0.0) << piece << " " << level;
-            EXPECT_EQ(edge.is_open_behind, piece == 0 && level == 0.0) << piece << " " << level;
+            for (const bool is_forward : {true, false}) {
+                EXPECT_EQ(outlines.is_open({piece, 0}, is_forward), piece == 0 && level == 0.0)
+                    << piece << " " << level;
+            }
         }
     }
 }
