@@ -286,8 +286,9 @@ class KioskWindow {
         follow_pixels();
         const int width = window_->width_px();
         const int height = window_->height_px();
-        screen_->draw(content_of(*kiosk_, *servo_), width, height, time_ns);
-        window_->show_frame();
+        if (window_->take_exposed()) screen_->lose_frame();
+        if (screen_->draw(content_of(*kiosk_, *servo_), width, height, time_ns))
+            window_->show_frame();
     }
 
     /// The last frame stays on a screen with nothing behind it, and must not look broken.
@@ -300,7 +301,7 @@ class KioskWindow {
         content.has_ended = true;
         if (!make_screen())
             return;  // its layers have no change behind them: this one shows at once
-        screen_->draw(content, width_px_, height_px_, now_ns());
+        (void)screen_->draw(content, width_px_, height_px_, now_ns());
         window_->show_frame();
     }
 
