@@ -40,7 +40,7 @@ namespace {
 constexpr int device_number = 2;
 constexpr int longest_wait_ms = 20'000;
 constexpr int live_ms = 300;  // that the force has acted before the servo is killed
-constexpr std::array<std::size_t, 4> sizes{64, 1024, 16384, 65536};
+constexpr std::array<std::size_t, 3> sizes{64, 4096, 65536};
 
 FeltPicture picture_of(std::size_t edges) {
     TactileMap map = workload::map_of(workload::curve(workload::Kind::radial, edges));
@@ -86,8 +86,18 @@ int run_kiosk(std::size_t edges, const std::vector<std::string>& words) {
         TOUCHLINE_SERVO_RIG, arguments,
         [device](const std::string& bus_path) { return zero_usb_device(device, bus_path); }};
     options.cut_torque = [device](const HeldBoard& held) { return cut_usb_device(device, held); };
+    options.hand_over = [device](const Handover& handover) {
+        UsbDevice next = device;
+        next.handover = handover;
+        std::vector<std::string> more{"usb"};
+        for (const std::string& word : arguments_of(next)) more.push_back(word);
+        return more;
+    };
     ServoProcess servo(std::move(options));
     servo.feel(picture_of(edges));
+    ServoCommands commands;
+    commands.has_frame = false;  // home lies beyond the drawing area
+    servo.set(commands);
     if (!wait_until(servo, [&servo] { return may_act(servo); })) return 1;
     const std::int64_t live_ns = steady_now_ns();
     (void)wait_until(servo,
@@ -123,6 +133,12 @@ double at_share(const std::vector<double>& sorted_ms, double share) {
     return sorted_ms[static_cast<std::size_t>(share * static_cast<double>(sorted_ms.size() - 1))];
 }
 
+std::uint64_t set_ups(UsbNodeServer& board) {
+    std::uint64_t count = 0;
+    board.with([&](BoardEmulator& emulator, UsbFaults&) { count = emulator.firmware().set_ups(); });
+    return count;
+}
+
 int measure(int runs) {
     MockedUsb mocked;
     mocked.show(BoardEmulator({}, resting_hand(default_profile())), 1, device_number);
@@ -138,8 +154,11 @@ int measure(int runs) {
         for (int i = 0; i < runs; ++i) {
             std::vector<std::string> words{program, "kiosk", std::to_string(edges)};
             for (const std::string& word : arguments_of(device)) words.push_back(word);
+            const std::uint64_t before = set_ups(*board);
             const std::string said = said_by_kiosk(words);
-            if (!said.empty()) times_ms.push_back(std::stod(said));
+            // The first servo sets it up; one that took it over does not.
+            const bool is_taken_over = set_ups(*board) == before + 1;
+            if (!said.empty() && is_taken_over) times_ms.push_back(std::stod(said));
         }
         std::ranges::sort(times_ms);
         if (times_ms.empty()) return 1;
