@@ -29,7 +29,7 @@ namespace touchline {
 namespace {
 
 constexpr int stretches = 21;
-constexpr double stretch_s = 3.0;
+constexpr double stretch_s = 2.0;
 constexpr double frame_s = 1.0 / 60.0;
 
 double at_share(std::vector<double> values, double share) {

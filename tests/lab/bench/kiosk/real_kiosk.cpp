@@ -15,7 +15,7 @@
 namespace touchline {
 namespace {
 
-constexpr std::int64_t press_ns = 60'000'000;  // from a key to the next
+constexpr std::int64_t press_ns = 150'000'000;  // a key twice within 0.1 s is one
 
 class PacedDevice final : public SoundDevice {
   public:
