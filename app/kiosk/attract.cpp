@@ -9,6 +9,8 @@ namespace touchline {
 namespace {
 
 constexpr double hand_m_per_s = 0.03;
+constexpr double hand_step_s =
+    0.25;  // each is a frame, and a frame is what a waiting kiosk pays for
 constexpr double pressed_m = 0.001;  // past the line
 constexpr double stiffness_N_per_m = 500.0;
 
@@ -54,7 +56,8 @@ Result<AttractPicture> attract_picture(const TactileMap& map) {
 
 HandState attract_hand(const AttractPicture& picture, double now_s) {
     if (!(picture.length_m > 0.0)) return {};
-    double left_m = std::fmod(hand_m_per_s * now_s, picture.length_m);
+    const double step_s = std::floor(now_s / hand_step_s) * hand_step_s;
+    double left_m = std::fmod(hand_m_per_s * step_s, picture.length_m);
     for (const Segment& segment : picture.line) {
         const double length_m = norm(segment.b - segment.a);
         if (left_m < length_m || &segment == &picture.line.back()) return hand_on(segment, left_m);

@@ -281,8 +281,7 @@ std::shared_ptr<const Canvas> Kiosk::preview() const {
 
 DrawnPicture Kiosk::drawn() const {
     const AttractPicture& attract = pictures_.attract();
-    const bool is_nobody_here = open_screen(visit_) == VisitScreen::attract && !is_operator_in();
-    if (!is_nobody_here || !attract.shown.scene) return {shown(), hand()};
+    if (!is_nobody_here() || !attract.shown.scene) return {shown(), hand()};
     return {attract.shown, attract_hand(attract, now_s_)};
 }
 

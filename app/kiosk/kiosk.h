@@ -108,6 +108,11 @@ class Kiosk : private Pinned {
 
     [[nodiscard]] const Visit& visit() const { return visit_; }
 
+    /// Nobody is here, neither a visitor nor the operator.
+    [[nodiscard]] bool is_nobody_here() const {
+        return open_screen(visit_) == VisitScreen::attract && !is_operator_in();
+    }
+
     [[nodiscard]] const Language& language() const { return language_of(visit_, world()); }
 
     /// The visual sign of the last sound, for one second; then nothing.

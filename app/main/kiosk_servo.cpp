@@ -62,6 +62,11 @@ KioskServo with_motors(const UsbDevice& found) {
     options.cut_torque = [device](const HeldBoard& held) { return cut_usb_device(*device, held); };
     options.keep_home = [device](const Message& message) { return keep_home(*device, message); };
     options.keep_kind = [device](const std::string& kind) { return keep_kind(*device, kind); };
+    options.hand_over = [device](const Handover& handover) {
+        UsbDevice next = *device;
+        next.handover = handover;
+        return arguments_of(next);
+    };
     options.kind = found.profile;
     options.summons = environment("TOUCHLINE_SERVO_SOCKET");
     KioskServo servo;

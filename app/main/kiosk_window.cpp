@@ -42,6 +42,8 @@ namespace touchline {
 namespace {
 
 constexpr int frame_rate_Hz = 60;
+constexpr int waiting_rate_Hz = 20;  // while nobody is here; a key is heard at once all the same
+constexpr std::int64_t second_ns = 1'000'000'000;
 constexpr std::size_t loading_threads = PlanLimits{}.jobs;
 
 std::atomic<bool> is_end_asked{false};
@@ -286,8 +288,9 @@ class KioskWindow {
         follow_pixels();
         const int width = window_->width_px();
         const int height = window_->height_px();
-        screen_->draw(content_of(*kiosk_, *servo_), width, height, time_ns);
-        window_->show_frame();
+        if (window_->take_exposed()) screen_->lose_frame();
+        if (screen_->draw(content_of(*kiosk_, *servo_), width, height, time_ns))
+            window_->show_frame();
     }
 
     /// The last frame stays on a screen with nothing behind it, and must not look broken.
@@ -300,7 +303,7 @@ class KioskWindow {
         content.has_ended = true;
         if (!make_screen())
             return;  // its layers have no change behind them: this one shows at once
-        screen_->draw(content, width_px_, height_px_, now_ns());
+        (void)screen_->draw(content, width_px_, height_px_, now_ns());
         window_->show_frame();
     }
 
@@ -317,7 +320,8 @@ class KioskWindow {
         FrameLimiter limiter(start_ns, frame_rate_Hz);
         std::int64_t time_ns = start_ns;
         for (; goes_on(time_ns, start_ns); time_ns = now_ns()) {
-            led_ = paced(led_, pointer_, 1.0 / frame_rate_Hz);
+            const int rate_Hz = kiosk_->is_nobody_here() ? waiting_rate_Hz : frame_rate_Hz;
+            led_ = paced(led_, pointer_, 1.0 / rate_Hz);
             hand_->move_to(led_);
             follow_operator_device();
             for (const PhysicalKey& key : operator_keyboard_.take_presses())
@@ -326,7 +330,8 @@ class KioskWindow {
             report_news();
             draw(time_ns);
             signs_.beat(time_ns, servo_->beats());
-            window_->wait_until(limiter.finish_frame(now_ns()));
+            const std::int64_t due_ns = limiter.finish_frame(now_ns());
+            window_->wait_until(due_ns + second_ns / rate_Hz - second_ns / frame_rate_Hz);
         }
         if (arguments_.measure_s) {
             fmt::print("{}, {} frames, {} skipped\n",

@@ -189,12 +189,14 @@ void ImageLayer::upload(const Canvas& canvas, int x, int y, int screen_width, in
 
 StrokeBuffer::StrokeBuffer() : buffer_(make_buffer()) {}
 
-void StrokeBuffer::upload(const Strokes& strokes) {
+bool StrokeBuffer::upload(const Strokes& strokes) {
     const auto& vertices = strokes.vertices();
+    if (vertices == vertices_) return false;
+    vertices_ = vertices;
     glBindBuffer(GL_ARRAY_BUFFER, buffer_.get());
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(StrokeVertex)),
                  vertices.data(), GL_STREAM_DRAW);
-    vertex_count_ = static_cast<int>(vertices.size());
+    return true;
 }
 
 Result<Renderer> Renderer::make() {
@@ -219,14 +221,14 @@ void Renderer::draw(const ImageLayer& layer) const {
 }
 
 void Renderer::draw(const StrokeBuffer& strokes, int width_px, int height_px) const {
-    if (strokes.vertex_count_ == 0) return;
+    if (strokes.vertices_.empty()) return;
     glUseProgram(strokes_.get());
     glUniform2f(screen_, static_cast<float>(width_px), static_cast<float>(height_px));
     bind_vertices(strokes.buffer_, sizeof(StrokeVertex),
                   {{2, false, offsetof(StrokeVertex, x)},
                    {4, false, offsetof(StrokeVertex, along)},
                    {4, true, offsetof(StrokeVertex, rgba)}});
-    glDrawArrays(GL_TRIANGLES, 0, strokes.vertex_count_);
+    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(strokes.vertices_.size()));
 }
 
 }  // namespace touchline

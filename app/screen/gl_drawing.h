@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 namespace touchline {
 
@@ -69,13 +70,14 @@ class StrokeBuffer {
   public:
     StrokeBuffer();
 
-    void upload(const Strokes& strokes);
+    /// Returns whether they differ from those uploaded last. O(strokes).
+    bool upload(const Strokes& strokes);
 
   private:
     friend class Renderer;
 
     GlBuffer buffer_;
-    int vertex_count_ = 0;
+    std::vector<StrokeVertex> vertices_;  // uploaded last
 };
 
 /// One shader for all images and one for all strokes; one draw call each.

@@ -17,7 +17,8 @@ class HandTrail {
 
     void clear() { places_.clear(); }
 
-    /// Adds a line of some hundred strokes at most, fainter the older it is.
+    /// Adds a line of some hundred strokes at most, fainter the older it is. It fades in steps of a
+    /// quarter of a second.
     void add_to(Strokes& strokes, const View& view, std::int64_t now_ns, double width_px,
                 Colour colour) const;
 

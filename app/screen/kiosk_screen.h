@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 namespace touchline {
 
@@ -20,24 +21,32 @@ class KioskScreen {
     /// Fails with the driver's message.
     [[nodiscard]] static Result<KioskScreen> make(double cap_px);
 
-    /// Draws one frame of any screen, in a window of this size (px). Its contents change at most
-    /// twice a second, except the handle's marker (screen_layers.h). `now_ns` never goes back.
-    void draw(const ScreenContent& content, int width_px, int height_px, std::int64_t now_ns);
+    /// Draws one frame of any screen, in a window of this size (px), and returns true; draws
+    /// nothing and returns false if it would look like the one drawn last, which is less than a
+    /// second old. Its contents change at most twice a second, except the handle's marker
+    /// (screen_layers.h). `now_ns` never goes back.
+    [[nodiscard]] bool draw(const ScreenContent& content, int width_px, int height_px,
+                            std::int64_t now_ns);
 
     /// The place on the screen of the picture drawn last.
     [[nodiscard]] const View& view() const { return layers_.view(); }
+
+    /// The display lost what was drawn: the next frame is drawn whatever it shows.
+    void lose_frame() { drawn_ns_.reset(); }
 
   private:
     static constexpr std::size_t layer_count = 5;
 
     KioskScreen(double cap_px, Renderer renderer);
 
-    void upload_layers(int width_px, int height_px);
-    void upload(std::size_t image, const StillLayer& layer);
-    void update_outlines(double level, std::int64_t now_ns);
-    void update_boxes(const HandState& hand);
-    void update_hand(const HandState& hand, std::int64_t now_ns);
-    void draw_marks(const HandState& hand, std::int64_t now_ns);
+    // Each returns whether anything looks different now.
+    [[nodiscard]] bool upload_layers(int width_px, int height_px);
+    [[nodiscard]] bool upload(std::size_t image, const StillLayer& layer);
+    [[nodiscard]] bool update_marks(const HandState& hand, std::int64_t now_ns);
+    [[nodiscard]] bool update_outlines(double level, std::int64_t now_ns);
+    [[nodiscard]] bool update_boxes(const HandState& hand);
+    [[nodiscard]] bool update_hand(const HandState& hand, std::int64_t now_ns);
+    void draw_all();
 
     double cap_px_;
     Renderer renderer_;
@@ -52,6 +61,7 @@ class KioskScreen {
     std::uint64_t outlined_version_ = 0;  // of the picture layer below them
     ChangePace outline_pace_;
     HandTrail trail_;
+    std::optional<std::int64_t> drawn_ns_;  // when a frame was drawn last
 };
 
 }  // namespace touchline

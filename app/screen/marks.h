@@ -41,6 +41,8 @@ struct StrokeVertex {
     float length = 0.0F;                // between the ends (px)
     float half_width = 0.0F;            // px
     std::array<std::uint8_t, 4> rgba{};
+
+    friend bool operator==(const StrokeVertex&, const StrokeVertex&) = default;
 };
 
 class Strokes {

@@ -138,6 +138,9 @@ Window::Window(GLFWwindow* window, bool is_full_screen, Listener listener)
     glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) {
         static_cast<Window*>(glfwGetWindowUserPointer(w))->update_size();
     });
+    glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) {
+        static_cast<Window*>(glfwGetWindowUserPointer(w))->is_exposed_ = true;
+    });
     glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int scancode, int action, int) {
         static_cast<Window*>(glfwGetWindowUserPointer(w))
             ->listener_.key_changed(key_of(key, scancode), action != GLFW_RELEASE,

@@ -14,6 +14,7 @@
 #include <memory>
 #include <numbers>
 #include <optional>
+#include <utility>
 #include <vector>
 
 struct GLFWwindow;
@@ -73,6 +74,9 @@ class Window : private Pinned {
     /// Shows what was drawn.
     void show_frame();
 
+    /// True if the display lost what was shown since the last call.
+    [[nodiscard]] bool take_exposed() { return std::exchange(is_exposed_, false); }
+
     /// Sleeps until `due_ns`, handling keys and pointer as they come, at least once.
     void wait_until(std::int64_t due_ns);
 
@@ -92,6 +96,7 @@ class Window : private Pinned {
     std::vector<bool> buttons_;      // the joystick's: is it down?
     Knob knob_;                      // the joystick's first axis
     std::int64_t next_look_ns_ = 0;  // when to check the monitor again
+    bool is_exposed_ = false;        // since somebody asked
     bool was_covered_ = true;        // the window covered the monitor at the last check
 };
 

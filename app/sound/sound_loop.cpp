@@ -53,14 +53,18 @@ void SoundLoop::run(const std::stop_token& stop, SoundWorld world, const EventSo
     leave_signals_to_others();
     SoundOutput output(std::move(world.device), mixer_, steady_now_ns);
     HandCues cues(mixer_, output.clock());
+    PollPace pace;
     for (unsigned poll = 0; !stop.stop_requested(); ++poll) {
-        take_events(events, cues);
-        if (poll % polls_between_looks == 0) look_after(output, world);
-        std::this_thread::sleep_for(std::chrono::microseconds(poll_us));
+        const bool had_event = take_events(events, cues);
+        const std::int64_t now_ns = steady_now_ns();
+        const int wait_us = pace.wait_us(had_event, now_ns);
+        if (pace.is_resting(now_ns) || poll % polls_between_looks == 0) look_after(output, world);
+        std::this_thread::sleep_for(std::chrono::microseconds(wait_us));
     }
 }
 
-void SoundLoop::take_events(const EventSource& events, HandCues& cues) {
+bool SoundLoop::take_events(const EventSource& events, HandCues& cues) {
+    bool is_any = false;
     while (const auto event = events()) {
         CueSetting setting;
         {
@@ -69,7 +73,9 @@ void SoundLoop::take_events(const EventSource& events, HandCues& cues) {
             news_.last_event = event;
         }
         cues.play(*event, setting);
+        is_any = true;
     }
+    return is_any;
 }
 
 void SoundLoop::look_after(SoundOutput& output, const SoundWorld& world) {

@@ -91,6 +91,24 @@ struct SoundNews {
     HeadphoneReports headphones;  // without the keypad's: that is a key
 };
 
+/// How soon the loop looks for events again. A hand that has told none for half a minute is away:
+/// the first event after that may be heard 20 ms late, those after it are not.
+class PollPace {
+  public:
+    /// The wait until the next poll, us; `now_ns` never goes back.
+    [[nodiscard]] int wait_us(bool had_event, std::int64_t now_ns) {
+        if (had_event || !last_ns_) last_ns_ = now_ns;
+        return is_resting(now_ns) ? 20'000 : 1000;
+    }
+
+    [[nodiscard]] bool is_resting(std::int64_t now_ns) const {
+        return last_ns_ && now_ns - *last_ns_ > 30'000'000'000;
+    }
+
+  private:
+    std::optional<std::int64_t> last_ns_;
+};
+
 class SoundLoop {
   public:
     /// Starts at once. The mixer must outlive it. `world.device` is not null.
@@ -100,11 +118,10 @@ class SoundLoop {
 
     void set(const CueSetting& setting);
 
-    static constexpr int poll_us = 1000;
-
   private:
     void run(const std::stop_token& stop, SoundWorld world, const EventSource& events);
-    void take_events(const EventSource& events, HandCues& cues);
+    /// Returns whether there was any.
+    bool take_events(const EventSource& events, HandCues& cues);
     void look_after(SoundOutput& output, const SoundWorld& world);
 
     Mixer& mixer_;

@@ -105,6 +105,13 @@ JointAngles BoardFrame::joint_angles(PortAngles raw) const {
            calibration_.scale * at_joints(calibration_.encoders, turned);
 }
 
+PortAngles BoardFrame::reading_at(JointAngles angles) const {
+    const JointAngles turned =
+        (1.0 / calibration_.scale) * (angles - profile_.home - calibration_.offset);
+    return home_reading() + reordered<PortDegree>(at_ports(calibration_.encoders, turned),
+                                                  is_joint_1_on_port_2_, degrees(1.0));
+}
+
 bool BoardFrame::is_whole_counts(PortAngles raw, double handle_deg) const {
     return is_whole(raw.x, quantum_.x) && is_whole(raw.y, quantum_.y) &&
            (!has_handle() || is_whole(handle_deg, handle_quantum_deg(*profile_.handle)));

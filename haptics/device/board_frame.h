@@ -34,6 +34,9 @@ class BoardFrame {
     /// home + offset + scale (raw - home reading), each joint from the port of its encoder.
     [[nodiscard]] JointAngles joint_angles(PortAngles raw) const;
 
+    /// What the board reports at these angles, but for the rounding to whole counts.
+    [[nodiscard]] PortAngles reading_at(JointAngles angles) const;
+
     /// Returns whether each angle is a whole number of counts, as all are that a board sends.
     [[nodiscard]] bool is_whole_counts(PortAngles raw, double handle_deg = 0.0) const;
 

@@ -57,6 +57,18 @@ Result<void> PantographBoard::open() {
         "unplug it and plug it in again");
 }
 
+bool PantographBoard::take_over(JointAngles last, double age_s) {
+    if (!link_ || frame_.has_handle() || !is_finite(last) || !(age_s >= 0.0)) return false;
+    raw_ = Said{frame_.reading_at(last), 0.0};
+    raw_age_s_ = age_s;
+    report_.state = BoardState::closed;
+    note(link_->set_lines(true));
+    start_resync(Rung::settle);
+    run_resync();
+    return report_.state == BoardState::ready && !report_.is_position_doubtful &&
+           jumps_in_a_row_ == 0 && raw_age_s_ == 0.0;
+}
+
 bool PantographBoard::stop() {
     if (!link_) return false;
     if (report_.last_failure != LinkStatus::gone) {
@@ -368,8 +380,14 @@ void PantographBoard::note(LinkStatus status) {
     clear_stall();
 }
 
+ZeroedBoard zero_board(std::unique_ptr<BoardLink> link, const DeviceProfile& profile) {
+    PantographBoard board(std::move(link), profile, {});
+    if (!board.stop()) return ZeroedBoard::not_confirmed;
+    return board.report().is_position_doubtful ? ZeroedBoard::unknown : ZeroedBoard::kept;
+}
+
 bool zero_torque(std::unique_ptr<BoardLink> link, const DeviceProfile& profile) {
-    return PantographBoard(std::move(link), profile, {}).stop();
+    return zero_board(std::move(link), profile) != ZeroedBoard::not_confirmed;
 }
 
 }  // namespace touchline

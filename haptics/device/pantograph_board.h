@@ -115,6 +115,14 @@ class PantographBoard final : public ForceDevice {
     /// or up to 4 s before it fails.
     [[nodiscard]] Result<void> open();
 
+    /// Goes on where another program, which set the board up and drove it with this calibration,
+    /// saw the handle last, at `last`, `age_s` ago. Does what is done when a reply went astray:
+    /// raises the lines, drains, writes zero and wants exactly one reply, with angles that a hand
+    /// can have reached meanwhile. Returns false if there is any doubt that the board counted all
+    /// the time: it was not set up, had to be set up, or the handle leapt. open() must come then.
+    /// Not for a handle that turns. Takes 10 ms, or up to 4 s before it fails.
+    [[nodiscard]] bool take_over(JointAngles last, double age_s);
+
     /// Returns the newest reply's angles, to half a count. Returns nothing while resyncing, jumped
     /// or lost, and at most 4 ms after the tick in which the reply came.
     [[nodiscard]] std::optional<JointAngles> read_angles(double now_s) override;
@@ -211,6 +219,13 @@ class PantographBoard final : public ForceDevice {
     bool is_old_send_open_ = false;  // sending_ began before the resync
     bool has_send_failed_ = false;   // since the last step of the resync
 };
+
+/// What a board that somebody else drove came to. kept: it holds zero torque, was set up all the
+/// time and counts on. unknown: it holds zero torque, but had to be set up.
+enum class ZeroedBoard : std::uint8_t { not_confirmed, unknown, kept };
+
+/// Makes it hold zero torque, as stop() does.
+[[nodiscard]] ZeroedBoard zero_board(std::unique_ptr<BoardLink> link, const DeviceProfile& profile);
 
 /// Makes a board hold zero torque that somebody else drove, as stop() does. A board that does not
 /// answer is set up again, which stops its motors but forgets where the handle is. Returns true if

@@ -144,6 +144,12 @@ class ForceChain {
     /// The last tick's status.
     [[nodiscard]] const ForceStatus& status() const { return status_; }
 
+    /// As MotorHeat::warm(): the motors worked before this chain.
+    void warm(double rise) { heat_.warm(rise); }
+
+    /// As MotorHeat::rise().
+    [[nodiscard]] double motor_heat() const { return heat_.rise(); }
+
   private:
     [[nodiscard]] std::uint16_t faults(const ChainInput& input, double dt_s);
     [[nodiscard]] bool is_ringing(std::uint64_t cuts, double dt_s);

@@ -146,6 +146,12 @@ class MotorHeat {
         warm(rise_2_, torques.y);
     }
 
+    /// Both motors are at least as warm as this: rise >= 0.
+    void warm(double rise) {
+        rise_1_ = std::max(rise_1_, rise);
+        rise_2_ = std::max(rise_2_, rise);
+    }
+
     /// The warmer motor's rise; 1 is rated.
     [[nodiscard]] double rise() const { return std::max(rise_1_, rise_2_); }
 

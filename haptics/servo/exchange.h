@@ -217,6 +217,9 @@ struct ServoChannel {
     std::atomic<std::uint8_t> is_force_on{0};       // the device may hold torque
     std::atomic<std::uint8_t> fault{0};             // of the last tick
     std::atomic<std::uint8_t> is_device_silent{0};  // the device gave no angles in the last tick
+    std::atomic<double> joint_1{std::numeric_limits<double>::quiet_NaN()};  // rad, the last that
+    std::atomic<double> joint_2{std::numeric_limits<double>::quiet_NaN()};  // the device gave
+    std::atomic<double> motor_heat{0.0};  // of the warmer motor (MotorHeat)
     std::atomic<std::uint8_t> is_stop_wanted{0};
     // The process and thread, as the system numbers them, that run the loop. A guard sees by them
     // that the loop is gone long before its process is. 0: there is no loop, or it has ended.

@@ -27,6 +27,7 @@ struct Servo::Running {
             LoopRules rules;
             rules.has_motors = options.has_motors;
             rules.watches_kiosk = options.watches_kiosk;
+            rules.motor_heat = options.motor_heat;
             if (options.is_real_time) rules.granted = become_real_time(options.lock);
             ServoLoop loop(*device, profile, options.period_s, exchange, recorder, rules);
             started.set_value();

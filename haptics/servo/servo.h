@@ -28,6 +28,7 @@ struct ServoOptions {
     MemoryLock lock = MemoryLock::as_touched;
     bool has_motors = false;     // force follows the real-time tier
     bool watches_kiosk = false;  // force needs the heartbeat in the channel
+    double motor_heat = 0.0;     // of motors that another servo used before, >= 0 (MotorHeat)
 };
 
 /// Threads: one, next_event() also from one other. Only start() and stop() wait for the servo.

@@ -29,6 +29,7 @@ ServoLoop::ServoLoop(ForceDevice& device, const DeviceProfile& profile, double p
       kiosk_(longest_kiosk_silence_s, most_periods_of_silence * period_s),
       tier_(rules.granted) {
     step_.lend(&hand_);
+    step_.warm(rules.motor_heat);
     exchange_.channel().tier.store(static_cast<std::uint8_t>(tier_), std::memory_order_relaxed);
 }
 
@@ -61,10 +62,19 @@ void ServoLoop::tick(double now_s, std::uint64_t missed_ticks) {
     if (is_refused) step_.lose_device();
     if (step_.scene() == input.scene) exchange_.release_older_scenes();
     exchange_.publish(step_.report());
-    exchange_.channel().is_device_silent.store(input.angles ? 0 : 1, std::memory_order_relaxed);
-    exchange_.channel().fault.store(static_cast<std::uint8_t>(step_.report().force.fault),
-                                    std::memory_order_relaxed);
+    tell_guard(input);
     for (const ContactEvent& event : step_.events()) exchange_.tell(event);
+}
+
+void ServoLoop::tell_guard(const StepInput& input) {
+    ServoChannel& channel = exchange_.channel();
+    channel.is_device_silent.store(input.angles ? 0 : 1, std::memory_order_relaxed);
+    channel.fault.store(static_cast<std::uint8_t>(step_.report().force.fault),
+                        std::memory_order_relaxed);
+    channel.motor_heat.store(step_.motor_heat(), std::memory_order_relaxed);
+    if (!input.angles) return;
+    channel.joint_1.store(input.angles->x, std::memory_order_relaxed);
+    channel.joint_2.store(input.angles->y, std::memory_order_relaxed);
 }
 
 void ServoLoop::judge_timing(double now_s, const Moment& moment, std::uint64_t missed_ticks) {

@@ -20,6 +20,7 @@ struct LoopRules {
     RealTimeTier granted = RealTimeTier::best_effort;
     bool has_motors = false;     // force follows the tier; a simulation has no motors to protect
     bool watches_kiosk = false;  // without the kiosk's heartbeat there is no force
+    double motor_heat = 0.0;     // at the start, >= 0 (MotorHeat)
 };
 
 /// Force is zero <= 20 ms after the last heartbeat: 10 ms of silence, then a fade of 8 ms.
@@ -53,6 +54,7 @@ class ServoLoop {
     };
 
     [[nodiscard]] bool write(JointTorques torques, double handle_Nm = 0.0);
+    void tell_guard(const StepInput& input);
     void write_last_zero(Clock& clock, TickSchedule& schedule);
     void judge_timing(double now_s, const Moment& moment, std::uint64_t missed_ticks);
     void watch(const Moment& moment);

@@ -44,6 +44,11 @@ class MotorForce {
 
     [[nodiscard]] const ForceStatus& status() const { return chain_.status(); }
 
+    /// As ForceChain::warm().
+    void warm(double rise) { chain_.warm(rise); }
+
+    [[nodiscard]] double motor_heat() const { return chain_.motor_heat(); }
+
   private:
     void watch(Force told, const HandleReading& handle, const WantedForce& wanted);
 
@@ -96,6 +101,12 @@ class ServoStep {
 
     /// Tells the step that the device took no torques.
     void lose_device() { motor_force_.lose_device(); }
+
+    /// The motors are as warm as this from another servo's work (MotorHeat), >= 0.
+    void warm(double rise) { motor_force_.warm(rise); }
+
+    /// How warm the motors are (MotorHeat): 1 is rated.
+    [[nodiscard]] double motor_heat() const { return motor_force_.motor_heat(); }
 
     /// The last step's report.
     [[nodiscard]] const ServoReport& report() const { return report_; }

@@ -105,6 +105,26 @@ std::optional<Calibration> calibration_of(const Message& message, const Calibrat
     return is_sound(found) ? std::optional(found) : std::nullopt;
 }
 
+Message message_of(const HandlePlace& place) {
+    Message message = message_of(MessageKind::place);
+    message.place = place;
+    return message;
+}
+
+// A machine that never slept may have slept for some -100 ns, for two clocks are read.
+std::optional<HandlePlace> place_of(const Message& message) {
+    const HandlePlace& place = message.place;
+    if (message.kind != MessageKind::place || !is_finite(place.offset)) return std::nullopt;
+    return place;
+}
+
+bool is_sound(const Handover& handover) {
+    constexpr double most_heat = 4.0;  // no motor told within its limits gets there
+    return is_finite(handover.place.offset) && is_finite(handover.last) &&
+           handover.motor_heat >= 0.0 && handover.motor_heat <= most_heat &&
+           !handover.bus_path.empty();
+}
+
 std::string line_of(const Message& message) {
     std::string line(std::begin(message.line), message.line_bytes);
     std::replace_if(

@@ -50,6 +50,24 @@ class SharedRegion {
     Mapping mapping_;
 };
 
+/// Where homing found the handle. It holds as long as the board counts and the machine is awake.
+struct HandlePlace {
+    JointAngles offset;         // Calibration::offset, rad, finite
+    std::int64_t slept_ns = 0;  // slept_ns() when it was found
+};
+
+/// What a servo needs to go on where one that died left the board.
+struct Handover {
+    HandlePlace place;
+    JointAngles last;          // rad, in the last tick of the dead one
+    std::int64_t seen_ns = 0;  // when that was, on the steady clock
+    double motor_heat = 0.0;   // ServoChannel::motor_heat then
+    std::string bus_path;      // of the board
+};
+
+/// Returns whether every number is finite and in its range.
+[[nodiscard]] bool is_sound(const Handover& handover);
+
 /// region: the memory to share; comes before everything but words. scene: a map to be felt; the
 /// line is its file in the gallery, if it has one. hold, keep, forget: the last minute stays in
 /// memory, becomes a file, or is overwritten. failed: why the servo ends. notice: a map that cannot
@@ -57,8 +75,8 @@ class SharedRegion {
 /// what homing found out about this unit. here: the servo's first message, with its own pidfd
 /// attached. word: one of the words that name the device, for a servo without them on its command
 /// line; comes before the region. board: the node of the board that it opened, attached, with its
-/// pipes and, as the line, its bus path. done: the servo's last message, when it ended as asked.
-/// The servo's beats show that it runs.
+/// pipes and, as the line, its bus path. place: where the handle is, from here on. done: the
+/// servo's last message, when it ended as asked. The servo's beats show that it runs.
 enum class MessageKind : std::uint32_t {
     region,
     scene,
@@ -72,6 +90,7 @@ enum class MessageKind : std::uint32_t {
     here,
     word,
     board,
+    place,
     done
 };
 
@@ -89,6 +108,7 @@ struct Message {
     SceneOrder scene;
     HomeFound home;
     SerialPipes pipes;
+    HandlePlace place;
     char line[512] = {};  // not always ended by a zero
 };
 
@@ -99,6 +119,11 @@ struct Message {
 /// Returns `before` with the message's values; nothing if they are out of range.
 [[nodiscard]] std::optional<Calibration> calibration_of(const Message& message,
                                                         const Calibration& before);
+
+[[nodiscard]] Message message_of(const HandlePlace& place);
+
+/// The place of a message `place`; nothing if it is another message or out of range.
+[[nodiscard]] std::optional<HandlePlace> place_of(const Message& message);
 
 /// The line, with blanks for control characters.
 [[nodiscard]] std::string line_of(const Message& message);

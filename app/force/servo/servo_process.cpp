@@ -89,17 +89,21 @@ class ServoProcess::Guard : private Pinned {
         while (!is_ending_) {
             const std::int64_t start_ns = steady_now_ns();
             serve_one();
-            rest_ms(static_cast<int>(1e3 * restart_.wait_s(seconds_since(start_ns))));
+            const double wait_s = restart_.wait_s(seconds_since(start_ns));
+            if (!handover_) rest_ms(static_cast<int>(1e3 * wait_s));
         }
     }
 
     /// Runs one servo from its start to its end, and writes zero torque after it.
     void serve_one() {
         take_wishes();
+        const auto taken = std::exchange(handover_, std::nullopt);
         if (options_.kind && options_.kind->empty()) return wait_for_kind();
+        const std::int64_t start_ns = steady_now_ns();
+        const auto arguments = taken ? options_.hand_over(*taken) : options_.arguments;
         auto region = SharedRegion::create();
-        auto met = options_.summons.empty() ? start_servo(options_.program, options_.arguments)
-                                            : summon_servo(options_.summons, options_.arguments);
+        auto met = options_.summons.empty() ? start_servo(options_.program, arguments)
+                                            : summon_servo(options_.summons, arguments);
         if (!met || !region) {
             const std::string why = met ? region.error().line : met.error().line;
             say(why);
@@ -117,9 +121,28 @@ class ServoProcess::Guard : private Pinned {
         line.disconnect();
         const std::int64_t dead_ns = steady_now_ns();
         const std::string end = servo.end(is_done_);
-        const bool has_run = connection->region.channel().servo_beats.load() != 0;
-        if (!end.empty() && has_run) zero(end, dead_ns);
+        const ServoChannel& channel = connection->region.channel();
+        const bool has_run = channel.servo_beats.load() != 0;
+        const bool is_again = taken && seconds_since(start_ns) < Restart::healthy_s;
+        auto handover = is_again ? std::nullopt : handover_from(channel, dead_ns);
+        if (!end.empty() && has_run && zero(end, dead_ns) == ZeroedBoard::kept)
+            handover_ = std::move(handover);
         held_.reset();
+    }
+
+    /// What the next servo needs to go on; nothing if anything is in doubt.
+    [[nodiscard]] std::optional<Handover> handover_from(const ServoChannel& channel,
+                                                        std::int64_t dead_ns) const {
+        const bool is_sure = options_.hand_over && place_ && held_ && !has_failed_ &&
+                             !is_homing_wanted_ && channel.is_device_silent == 0 &&
+                             channel.fault == static_cast<std::uint8_t>(Fault::none);
+        if (!is_sure) return std::nullopt;
+        Handover handover{*place_,
+                          {channel.joint_1, channel.joint_2},
+                          dead_ns,
+                          channel.motor_heat,
+                          held_->bus_path};
+        return is_sound(handover) ? std::optional(std::move(handover)) : std::nullopt;
     }
 
     /// The next servo takes up the wishes so far. Later wishes end it again.
@@ -127,7 +150,7 @@ class ServoProcess::Guard : private Pinned {
         std::optional<std::string> kind;
         {
             const std::lock_guard lock(wish_mutex_);
-            is_homing_wanted_ = false;
+            if (is_homing_wanted_.exchange(false)) handover_.reset();
             kind = std::exchange(chosen_kind_, std::nullopt);
         }
         if (!kind || !options_.keep_kind) return;
@@ -156,6 +179,8 @@ class ServoProcess::Guard : private Pinned {
         is_closed_ = false;
         is_done_ = false;
         is_cut_ = false;
+        has_failed_ = false;
+        place_.reset();
         held_.reset();
         while (!is_dead(servo, connection)) {
             const std::int64_t now_ns = steady_now_ns();
@@ -212,6 +237,8 @@ class ServoProcess::Guard : private Pinned {
         if (message.kind == MessageKind::say || message.kind == MessageKind::failed)
             say(line_of(message));
         if (message.kind == MessageKind::done) is_done_ = true;
+        if (message.kind == MessageKind::failed) has_failed_ = true;
+        if (message.kind == MessageKind::place) place_ = place_of(message);
         if (message.kind == MessageKind::home && options_.keep_home)
             options_.arguments = options_.keep_home(message);
         if (message.kind == MessageKind::failed || message.kind == MessageKind::notice) {
@@ -219,7 +246,7 @@ class ServoProcess::Guard : private Pinned {
         }
     }
 
-    void zero(const std::string& how, std::int64_t dead_ns) {
+    ZeroedBoard zero(const std::string& how, std::int64_t dead_ns) {
         const bool is_cut = cut();
         double after_s = seconds_since(dead_ns);
         const std::string bus_path = held_ ? held_->bus_path : std::string();
@@ -230,13 +257,14 @@ class ServoProcess::Guard : private Pinned {
                 if (!is_cut) after_s = seconds_since(dead_ns);
                 line.note("the servo ended with " + how + "; the torque was zeroed " +
                           std::to_string(std::lround(1e3 * after_s)) + " ms later");
-                return;
+                return *zeroed;
             }
             ++turns_;
             ::poll(nullptr, 0, between_tries_ms);
         }
         line.note("the servo ended with " + how +
                   " and the device cannot be reached: switch the power of its motors off");
+        return ZeroedBoard::not_confirmed;
     }
 
     /// Waits, or ends early when somebody wants something.
@@ -262,8 +290,11 @@ class ServoProcess::Guard : private Pinned {
     bool is_closed_ = false;         // likewise: the servo's socket is gone
     bool is_done_ = false;           // likewise: it said that it ended as asked
     bool is_cut_ = false;            // likewise: the torque was cut before it was dead
+    bool has_failed_ = false;        // likewise: it said why it ends
     std::optional<HeldBoard> held_;  // likewise: from the servo's message to its end
-    std::thread thread_;             // last: it uses all of the above
+    std::optional<HandlePlace> place_;  // likewise
+    std::optional<Handover> handover_;  // likewise: for the next servo
+    std::thread thread_;                // last: it uses all of the above
 };
 
 ServoProcess::ServoProcess(ServoProcessOptions options)

@@ -32,7 +32,8 @@ struct ServoProcessOptions {
     /// Opens the device, at `bus_path` unless it is empty, writes zero torque and has it confirmed.
     /// The guard thread calls it after every unasked death of the servo; if it fails, again and
     /// again for a second.
-    std::function<Result<void>(const std::string& bus_path)> zero_torque;
+    /// Tells whether the board counted all the time.
+    std::function<Result<ZeroedBoard>(const std::string& bus_path)> zero_torque;
     /// Keeps what homing found out about the unit, and returns the arguments for the next servo.
     /// Called by the guard thread. None: nothing is kept.
     std::function<std::vector<std::string>(const Message&)> keep_home = {};
@@ -47,6 +48,12 @@ struct ServoProcessOptions {
     /// when it is dead, before zero_torque. If there is none, or the servo shared no board,
     /// zero_torque has to do.
     std::function<bool(const HeldBoard&)> cut_torque = {};
+    /// Returns the arguments of a servo that goes on where one that died left the board. The guard
+    /// thread calls it, and starts that servo at once, if nothing is in doubt: the dead one had
+    /// angles and no fault in its last tick, the guard has zero torque confirmed by a board that
+    /// was set up all the time, and there was no other such hand-over within a minute. None: every
+    /// servo homes its device.
+    std::function<std::vector<std::string>(const Handover&)> hand_over = {};
 };
 
 class ServoProcess final : public ServoClient {

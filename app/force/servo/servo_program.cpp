@@ -120,6 +120,7 @@ ServoOptions options_for(const OpenedDevice& opened) {
     options.has_motors = opened.has_motors;
     options.watches_kiosk = true;
     options.recorded_ticks = recorded_ticks(options.period_s);
+    options.motor_heat = opened.motor_heat;
     return options;
 }
 
@@ -135,6 +136,7 @@ class ServoProgram {
         auto opened = open_device(opening());
         if (!opened) return fail(opened.error().line);
         tell(MessageKind::say, {});
+        if (opened->place) (void)send(socket_, message_of(*opened->place));
         BlackBox box(recordings_folder(), std::string(opened->profile.name),
                      [this](const std::string& line) { tell(MessageKind::notice, line); });
         box_ = &box;

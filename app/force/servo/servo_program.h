@@ -5,6 +5,7 @@
 // forever: it handles signals that ask for an end, signals of a crash, and the kiosk's death.
 #pragma once
 
+#include "app/force/servo/messages.h"
 #include "config/types/calibration.h"
 #include "config/types/pinned.h"
 #include "config/types/result.h"
@@ -17,6 +18,7 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,6 +55,8 @@ struct OpenedDevice {
     /// The handle's place is unknown: no angles come, and it must be homed. Valid as long as the
     /// device is.
     const std::atomic<bool>* has_lost_place = nullptr;
+    std::optional<HandlePlace> place = {};  // for a servo that follows this one
+    double motor_heat = 0.0;                // as in ServoOptions
     /// Ends the device's work, after the loop. False if it did not confirm zero torque. None: there
     /// is nothing to confirm.
     std::function<bool()> release;

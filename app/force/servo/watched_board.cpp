@@ -9,6 +9,7 @@ namespace {
 
 constexpr double longest_homing_s = 86400.0;  // a kiosk waits for anybody to come
 constexpr std::int64_t shortest_sleep_ns = 100'000'000;
+constexpr double longest_absence_s = 2.0;  // of a servo
 
 }  // namespace
 
@@ -22,6 +23,22 @@ Result<void> WatchedBoard::open(bool is_homed_first, const Opening& opening, Clo
     drift_ = DriftWatch(homing_plan(profile(), found->stop_off));
     opening.keep(*found);
     return {};
+}
+
+bool WatchedBoard::take_over(const Handover& from) {
+    const double age_s = 1e-9 * static_cast<double>(steady_now_ns() - from.seen_ns);
+    const bool has_slept = slept_() - from.place.slept_ns > shortest_sleep_ns;
+    if (has_slept || !(age_s <= longest_absence_s)) return false;
+    const Calibration bare = board_.frame().calibration();
+    Calibration placed = bare;
+    placed.offset = from.place.offset;
+    board_.set_calibration(placed);
+    if (!board_.take_over(from.last, age_s)) {
+        board_.set_calibration(bare);
+        return false;
+    }
+    awake_since_ns_ = from.place.slept_ns;
+    return true;
 }
 
 std::optional<JointAngles> WatchedBoard::read_angles(double now_s) {

@@ -33,6 +33,16 @@ class WatchedBoard final : public ForceDevice {
     /// PantographBoard::open() and make_ready().
     [[nodiscard]] Result<void> open(bool is_homed_first, const Opening& opening, Clock& clock);
 
+    /// Goes on where a servo that died left the board, without homing. False if the board may not
+    /// have counted all the time, the machine slept, or two seconds have passed: open() must come
+    /// then.
+    [[nodiscard]] bool take_over(const Handover& from);
+
+    /// Where the handle is, for a servo that follows this one.
+    [[nodiscard]] HandlePlace place() const {
+        return {board_.frame().calibration().offset, awake_since_ns_};
+    }
+
     /// The profile with the unit's own calibration.
     [[nodiscard]] const DeviceProfile& profile() const {
         return board_.frame().calibrated_profile();

@@ -28,11 +28,23 @@ TEST(Attract, AHandFollowsTheLineRoundAndRound) {
         const HandState hand = attract_hand(*picture, frame / 60.0);
         EXPECT_NEAR(norm(hand.p_WP), 0.03, 1e-4);
         EXPECT_NEAR(norm(hand.p_WH - hand.p_WP), 0.001, 1e-6);
-        EXPECT_LT(norm(hand.p_WP - last), 0.001);  // it never jumps
+        EXPECT_LT(norm(hand.p_WP - last), 0.0076);  // a step, and no more
         way_m += norm(hand.p_WP - last);
         last = hand.p_WP;
     }
     EXPECT_GT(way_m, 2.0 * std::numbers::pi * 0.03);
+}
+
+/// Each step is a frame.
+TEST(Attract, AHandMovesFourTimesASecond) {
+    const auto picture = attract_picture(circle_of(0.03));
+    ASSERT_TRUE(picture.has_value());
+    int steps = 0;
+    for (int frame = 1; frame <= 60; ++frame) {
+        const Position before = attract_hand(*picture, (frame - 1) / 60.0).p_WP;
+        steps += attract_hand(*picture, frame / 60.0).p_WP == before ? 0 : 1;
+    }
+    EXPECT_EQ(steps, 4);
 }
 
 TEST(Attract, WithoutALineTheHandRests) {

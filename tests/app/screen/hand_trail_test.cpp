@@ -29,6 +29,22 @@ TEST(HandTrail, ShowsWhereTheHandHasBeenAndFades) {
     EXPECT_EQ(strokes_at(trail, 8 * one_second_ns), 0);
 }
 
+/// Each change is a frame.
+TEST(HandTrail, FadesFourTimesASecond) {
+    HandTrail trail;
+    for (int i = 0; i <= 10; ++i) trail.add({0.001 * i, 0.0}, i * one_second_ns / 10);
+    int changes = 0;
+    Strokes before;
+    for (int frame = 0; frame < 60; ++frame) {
+        Strokes now;
+        trail.add_to(now, view, 2 * one_second_ns + frame * one_second_ns / 60, 3.0,
+                     white_on_black.proxy);
+        changes += now.vertices() == before.vertices() ? 0 : 1;
+        before = now;
+    }
+    EXPECT_EQ(changes, 4);
+}
+
 TEST(HandTrail, AHandThatRestsOrIsNowhereAddsNothing) {
     HandTrail trail;
     const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -60,6 +60,12 @@ TEST_F(BareDisplay, TheWindowCoversAWideMonitor) {
     EXPECT_EQ(text_of("differing.txt"), "0");
 }
 
+TEST_F(BareDisplay, DrawsNoFrameThatWouldLookTheSame) {
+    EXPECT_EQ(run_script("800x600", ":"), 0) << text_of("err.txt");
+    EXPECT_NE(text_of("out.txt").find("the same again: not drawn"), std::string::npos)
+        << text_of("out.txt");
+}
+
 TEST_F(BareDisplay, TheWindowCoversAnUprightMonitor) {
     EXPECT_EQ(run_script("1080x1920", compare), 0) << text_of("err.txt");
     EXPECT_EQ(text_of("size.txt"), "1080x1920");

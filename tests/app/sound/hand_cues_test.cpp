@@ -145,5 +145,15 @@ TEST(HandCues, AreHeardWhereTheHandIsAndNotAtAllWhereSoundsAreOff) {
     EXPECT_EQ(peak(left_of_stereo(rendered(mixer, 4800))), 0.0F);
 }
 
+TEST(PollPace, LooksRarelyWhereTheHandHasToldNothingForHalfAMinute) {
+    constexpr std::int64_t second_ns = 1'000'000'000;
+    PollPace pace;
+    EXPECT_EQ(pace.wait_us(false, 0), 1000);
+    EXPECT_EQ(pace.wait_us(false, 30 * second_ns), 1000);
+    EXPECT_EQ(pace.wait_us(false, 31 * second_ns), 20'000);
+    EXPECT_EQ(pace.wait_us(true, 32 * second_ns), 1000);
+    EXPECT_EQ(pace.wait_us(false, 62 * second_ns), 1000);
+}
+
 }  // namespace
 }  // namespace touchline

@@ -2,6 +2,7 @@
 #include "haptics/device/pantograph_board.h"
 #include "tests/machines/sim/board/board_rig.h"
 
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -86,6 +87,86 @@ TEST(BoardHandover, TheEmptyPacketAfterAnOverflowIsIgnored) {
     ASSERT_TRUE(rig.driver->open().has_value());
     EXPECT_EQ(rig.driver->report().empty_packets, 1U);
     EXPECT_TRUE(rig.tick({}).has_value());
+}
+
+/// A driver on a board that another one drove a tenth of a second ago.
+class TakenOver : public testing::Test {
+  protected:
+    TakenOver() {
+        EXPECT_TRUE(rig_.driver->open().has_value());
+        rig_.tick_for(0.1, steady_push);
+        last_ = rig_.tick(steady_push).value();
+        set_ups_ = rig_.board.firmware().set_ups();
+    }
+
+    static constexpr double sprung_back = 0.03;  // rad, of a hand that is no longer pushed
+
+    BoardRig rig_;
+    JointAngles last_;
+    std::uint64_t set_ups_ = 0;
+};
+
+TEST_F(TakenOver, ItGoesOnWithoutASetUpAndWithZeroTorque) {
+    rig_.connect();
+    ASSERT_TRUE(rig_.driver->take_over(last_, 0.1));
+    EXPECT_EQ(rig_.held(), JointTorques{});
+    EXPECT_EQ(rig_.board.firmware().set_ups(), set_ups_);
+    EXPECT_LT(norm(rig_.tick({}).value() - last_), sprung_back);
+    rig_.tick_for(0.05, steady_push);
+    EXPECT_LT(norm(rig_.held() - steady_push), 1e-3);
+}
+
+TEST_F(TakenOver, WithItsOwnCalibration) {
+    Calibration unit;
+    unit.offset = {0.02, -0.01};
+    unit.scale = 1.01;
+    unit.encoders = {true, false, true};
+    rig_.connect({}, unit);
+    const JointAngles seen =
+        rig_.driver->frame().joint_angles(BoardFrame(default_profile(), {}).reading_at(last_));
+    ASSERT_TRUE(rig_.driver->take_over(seen, 0.1));
+    EXPECT_LT(norm(rig_.tick({}).value() - seen), sprung_back);
+}
+
+TEST_F(TakenOver, NotIfTheHandleIsWhereNoHandCanHaveMovedIt) {
+    rig_.connect();
+    EXPECT_FALSE(rig_.driver->take_over(last_ + JointAngles{0.5, 0.0}, 0.001));
+}
+
+TEST_F(TakenOver, NotIfTheBoardForgotItsSetUp) {
+    rig_.driver.reset();
+    rig_.board.host_sends(reset_command().bytes());
+    rig_.time.now_s += 0.01;
+    rig_.connect();
+    EXPECT_FALSE(rig_.driver->take_over(last_, 0.1));
+    ASSERT_TRUE(rig_.driver->open().has_value()) << "it can be opened as ever";
+    EXPECT_TRUE(rig_.tick({}).has_value());
+}
+
+TEST_F(TakenOver, NotIfItWasPluggedInAgain) {
+    rig_.driver.reset();
+    rig_.board.unplug();
+    rig_.board.plug();
+    rig_.connect();
+    EXPECT_FALSE(rig_.driver->take_over(last_, 0.1));
+}
+
+TEST_F(TakenOver, NotFromWhatIsNoPlaceOrTime) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    rig_.connect();
+    EXPECT_FALSE(rig_.driver->take_over({nan, 0.0}, 0.1));
+    EXPECT_FALSE(rig_.driver->take_over(last_, nan));
+    EXPECT_FALSE(rig_.driver->take_over(last_, -1.0));
+}
+
+TEST_F(TakenOver, AZeroedBoardTellsWhetherItWasSetUpAllTheTime) {
+    rig_.driver.reset();
+    EXPECT_EQ(zero_board(std::make_unique<EmulatedLink>(rig_.board, rig_.time), default_profile()),
+              ZeroedBoard::kept);
+    rig_.board.host_sends(reset_command().bytes());
+    rig_.time.now_s += 0.01;
+    EXPECT_EQ(zero_board(std::make_unique<EmulatedLink>(rig_.board, rig_.time), default_profile()),
+              ZeroedBoard::unknown);
 }
 
 TEST(BoardHandover, UnpluggedInMidStrokeIsLostAndSaysSo) {

@@ -70,6 +70,17 @@ TEST(MotorHeat, TheContinuousTorqueWarmsToTheRatedRise) {
     EXPECT_EQ(heat.allowed(), 0.0);
 }
 
+TEST(MotorHeat, IsTakenOverFromAnotherServoAndCoolsFromThere) {
+    MotorHeat heat(0.07, 60.0);
+    heat.warm(0.8);
+    EXPECT_DOUBLE_EQ(heat.rise(), 0.8);
+    EXPECT_NEAR(heat.allowed(), 0.5, 1e-9);
+    heat.warm(0.1);
+    EXPECT_DOUBLE_EQ(heat.rise(), 0.8) << "never cooler than it was";
+    heat.step({}, 30.0);
+    EXPECT_LT(heat.rise(), 0.5);
+}
+
 TEST(MotorHeat, IsDeratedStraightFrom70To90PerCent) {
     for (const double rise : {0.5, 0.7, 0.75, 0.8, 0.85, 0.9, 1.2}) {
         MotorHeat heat(1.0, 1e-3);

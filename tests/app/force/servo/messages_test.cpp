@@ -151,6 +151,18 @@ TEST(ServoConnection, SaysThatNothingIsKeptWhereNoServoRuns) {
     EXPECT_EQ(line.take_notice().find(recording_not_kept), 0U);
 }
 
+TEST(Messages, APlaceComesBackTheSameOrNotAtAll) {
+    const HandlePlace place{{0.25, -1.0 / 3.0}, 77};
+    const auto back = place_of(message_of(place)).value();
+    EXPECT_EQ(back.offset, place.offset);
+    EXPECT_EQ(back.slept_ns, place.slept_ns);
+    EXPECT_FALSE(place_of(message_of(MessageKind::done)).has_value());
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(place_of(message_of(HandlePlace{{nan, 0.0}, 77})).has_value());
+    EXPECT_TRUE(place_of(message_of(HandlePlace{{}, -150})).has_value())
+        << "two clocks, read one after the other, of a machine that never slept";
+}
+
 TEST(Restart, WaitsLongerWithEveryDeathAndStartsOverAfterAGoodMinute) {
     Restart restart;
     for (const double wait_s : {0.5, 1.0, 2.0, 4.0, 8.0, 8.0})

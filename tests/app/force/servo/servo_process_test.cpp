@@ -55,6 +55,47 @@ TEST_F(ServoProcess, TellsTheTorqueThatComesBeforeItsLoop) {
     (void)servo.peer.end(true);
 }
 
+class HandedOver : public ProcessRig {
+  protected:
+    /// Kills the servo with this number while it makes force, and waits for the next.
+    void kill_servo(int number) {
+        ASSERT_TRUE(press_on_servo(number));
+        kill(board_.owner, SIGKILL);
+        ASSERT_TRUE(wait_until([&] { return board_.opened > number && board_.reads > 0; }));
+    }
+};
+
+TEST_F(HandedOver, AServoThatDiesIsFollowedAtOnceByOneThatTakesTheBoardOver) {
+    board_.is_place_known = 1;
+    start_kiosk();
+    kill_servo(1);
+    EXPECT_EQ(board_.handed_over, 1);
+    EXPECT_GE(board_.zeroed_by_guard, 1) << "zero is confirmed before";
+    EXPECT_TRUE(press()) << "force comes by the rule of arming, as after every start";
+}
+
+TEST_F(HandedOver, OneThatDiesAgainWithinAMinuteIsNotTrusted) {
+    board_.is_place_known = 1;
+    start_kiosk();
+    kill_servo(1);
+    kill_servo(2);
+    EXPECT_EQ(board_.handed_over, 1);
+}
+
+TEST_F(HandedOver, NotWhereTheBoardHadToBeSetUp) {
+    board_.is_place_known = 1;
+    board_.is_set_up_anew = 1;
+    start_kiosk();
+    kill_servo(1);
+    EXPECT_EQ(board_.handed_over, 0);
+}
+
+TEST_F(HandedOver, NotWhereNobodyHasSaidWhereTheHandleIs) {
+    start_kiosk();
+    kill_servo(1);
+    EXPECT_EQ(board_.handed_over, 0);
+}
+
 TEST_F(ServoProcess, TheGuardZeroesABoardThatDidNotConfirmItAtTheEnd) {
     board_.is_zero_unconfirmed = 1;
     start_kiosk();
@@ -72,11 +113,12 @@ TEST_F(ServoProcess, WhyThereIsNoServoStaysToBeReadWhileTheNextIsTried) {
     int silences = 0;
     int tiers = 0;
     {
-        touchline::ServoProcess servo({TOUCHLINE_SERVO_RIG,
-                                       {path_},
-                                       [](const std::string&) { return Result<void>(); },
-                                       {},
-                                       {}});
+        touchline::ServoProcess servo(
+            {TOUCHLINE_SERVO_RIG,
+             {path_},
+             [](const std::string&) { return Result<ZeroedBoard>(ZeroedBoard::unknown); },
+             {},
+             {}});
         EXPECT_TRUE(wait_until([&] {
             if (!servo.take_notice().empty()) ++failures;
             if (failures > 0 && servo.device_words().empty()) ++silences;
@@ -132,7 +174,9 @@ TEST(ServoConnection, TheDeviceIsLostFromAServosEndUntilMoreIsSaidOrTheNextRepor
 /// Options for a board of unknown kind; it confirms zero after `failures` tries.
 ServoProcessOptions without_kind(std::atomic<int>& zeroed, int failures) {
     ServoProcessOptions options{TOUCHLINE_SERVO_RIG, {}, [&zeroed, failures](const std::string&) {
-                                    return ++zeroed > failures ? Result<void>() : failure("busy");
+                                    return ++zeroed > failures
+                                               ? Result<ZeroedBoard>(ZeroedBoard::unknown)
+                                               : failure("busy");
                                 }};
     options.kind = "";
     return options;
@@ -197,8 +241,9 @@ TEST_F(ServoProcess, TheKindThatIsSaidLastHolds) {
 
 /// The words tell what to do for the next servo, not what was to do for the last one.
 TEST_F(ServoProcess, WordsAreOfTheHomingThatIsWanted) {
-    touchline::ServoProcess servo(
-        {TOUCHLINE_SERVO_RIG, {path_}, [](const std::string&) { return Result<void>(); }});
+    touchline::ServoProcess servo({TOUCHLINE_SERVO_RIG, {path_}, [](const std::string&) {
+                                       return Result<ZeroedBoard>(ZeroedBoard::unknown);
+                                   }});
     const auto runs = [&](int opened) {
         return wait_until([&] {
             (void)servo.latest();

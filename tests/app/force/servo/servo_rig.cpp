@@ -28,8 +28,10 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include <fcntl.h>
 #include <sys/socket.h>
 #include <sys/un.h>
 
@@ -90,20 +92,23 @@ Result<OpenedDevice> open_fake_device(FakeBoard& board, const Opening& opening) 
     board.put({});
     opening.mark_force(false);
     ++board.opened;
+    const Descriptor node(::open("/dev/null", O_RDWR | O_CLOEXEC));
+    opening.share({node.number(), {}, "1-1"});
     OpenedDevice opened;
     opened.device = std::make_unique<FakeDevice>(board);
     opened.profile = default_profile();
     opened.has_motors = false;  // as below
     opened.zero = {write_zero, &board};
+    if (board.is_place_known != 0) opened.place = HandlePlace{};
     opened.release = [&board] { return board.is_zero_unconfirmed == 0; };
     return opened;
 }
 
-Result<void> zero_by_guard(FakeBoard& board) {
+Result<ZeroedBoard> zero_by_guard(FakeBoard& board) {
     if (!board.is_free()) return failure("the board is busy");
     board.put({});
     ++board.zeroed_by_guard;
-    return {};
+    return board.is_set_up_anew == 0 ? ZeroedBoard::kept : ZeroedBoard::unknown;
 }
 
 std::atomic<bool> is_end_asked{false}, is_recording_asked{false}, is_hang_asked{false};
@@ -113,11 +118,16 @@ int run_kiosk(const std::string& program, const std::string& board_path, const s
     std::signal(SIGTERM, [](int) { is_end_asked = true; });
     std::signal(SIGUSR1, [](int) { is_recording_asked = true; });
     std::signal(SIGUSR2, [](int) { is_hang_asked = true; });
-    ServoProcess servo({program,
-                        {board_path},
-                        [&board](const std::string&) { return zero_by_guard(board); },
-                        {},
-                        path});
+    ServoProcessOptions options{program,
+                                {board_path},
+                                [&board](const std::string&) { return zero_by_guard(board); },
+                                {},
+                                path};
+    options.hand_over = [&board, board_path](const Handover&) {
+        ++board.handed_over;
+        return std::vector<std::string>{board_path};
+    };
+    ServoProcess servo(std::move(options));
     servo.feel(felt_line(0.0, 1));
     MonotonicClock clock;
     while (!is_end_asked) {
@@ -140,6 +150,13 @@ int run_usb_kiosk(const std::string& program, const std::vector<std::string>& wo
                                     return zero_usb_device(device, bus_path);
                                 }};
     options.cut_torque = [device](const HeldBoard& held) { return cut_usb_device(device, held); };
+    options.hand_over = [device](const Handover& handover) {
+        UsbDevice next = device;
+        next.handover = handover;
+        std::vector<std::string> more{"usb"};
+        for (const std::string& word : arguments_of(next)) more.push_back(word);
+        return more;
+    };
     ServoProcess servo(std::move(options));
     servo.feel(felt_line(0.045, 1));
     ServoCommands commands;

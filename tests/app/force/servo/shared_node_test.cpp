@@ -34,6 +34,7 @@ constexpr int longest_wait_ms = 60'000;
 constexpr double longest_zero_ms = 20.0;
 constexpr int device_number = 2;
 constexpr int busy_programs = 4;
+constexpr int time_to_open_ms = 1500;  // far longer than a servo takes to its first write
 
 struct Death {
     const char* name;
@@ -129,6 +130,12 @@ class SharedNode : public testing::TestWithParam<Death> {
         return 0;
     }
 
+    [[nodiscard]] std::uint64_t set_ups() {
+        std::uint64_t count = 0;
+        board_->with([&](BoardEmulator& board, UsbFaults&) { count = board.firmware().set_ups(); });
+        return count;
+    }
+
     /// Sends the signal and returns the board's time. No time passes between reading the clock and
     /// the signal.
     [[nodiscard]] double end_servo(int signal) {
@@ -171,6 +178,20 @@ TEST_P(SharedNode, IsZeroedByTheGuardAtOnce) {
     std::printf("zero after %.2f ms, at worst %.2f, of %zu\n", zero_ms[zero_ms.size() / 2],
                 zero_ms.back(), zero_ms.size());
     EXPECT_TRUE(!is_judged || zero_ms.back() <= longest_zero_ms);
+}
+
+/// Neither homed nor set up: it counts on.
+TEST_P(SharedNode, IsTakenOverByTheNextServo) {
+    const Death death = GetParam();
+    const OtherWork work(death.is_busy ? busy_programs : 0);
+    start_kiosk();
+    ASSERT_TRUE(wait_until([&] { return held() != JointTorques{}; }));
+    const pid_t before = servo();
+    const std::uint64_t set_ups = this->set_ups();
+    (void)end_servo(death.signal);
+    ASSERT_TRUE(wait_until([&] { return servo() != 0 && servo() != before; }));
+    poll(nullptr, 0, time_to_open_ms);
+    EXPECT_EQ(this->set_ups(), set_ups);
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, SharedNode,

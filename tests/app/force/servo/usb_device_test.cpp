@@ -43,6 +43,25 @@ TEST(UsbDevice, ArgumentsReadBackTheSameBits) {
     }
 }
 
+TEST(UsbDevice, AHandoverReadsBackTheSameBits) {
+    UsbDevice device = some_device();
+    device.handover = {{{0.1, -1.0 / 7.0}, 12}, {1.0 / 3.0, 2.0}, 123456789012345, 0.25, "1-2.3"};
+    const std::vector<std::string> sound = arguments_of(device);
+    const auto back = device_of(sound).value().handover.value();
+    EXPECT_EQ(back.place.offset, device.handover->place.offset);
+    EXPECT_EQ(back.place.slept_ns, device.handover->place.slept_ns);
+    EXPECT_EQ(back.last, device.handover->last);
+    EXPECT_EQ(back.seen_ns, device.handover->seen_ns);
+    EXPECT_EQ(back.motor_heat, device.handover->motor_heat);
+    EXPECT_EQ(back.bus_path, device.handover->bus_path);
+    EXPECT_FALSE(device_of(arguments_of(some_device())).value().handover.has_value());
+    for (std::size_t word = 13; word < sound.size() - 1; ++word) {
+        auto damaged = sound;
+        damaged[word] = "nan";
+        EXPECT_FALSE(device_of(damaged).has_value()) << word;
+    }
+}
+
 TEST(UsbDevice, ArgumentsOutOfRangeAreRefused) {
     const std::vector<std::string> sound = arguments_of(some_device());
     for (const std::size_t number : {0U, 1U, 5U, 6U, 7U, 8U, 9U, 11U}) {

@@ -3,6 +3,8 @@
 
 #include "tests/machines/sim/board/board_rig.h"
 
+#include <memory>
+
 #include <gtest/gtest.h>
 
 namespace touchline {
@@ -54,6 +56,39 @@ TEST_F(SleepyBoard, HasLostItsPlaceAfterASleepAndHoldsZero) {
     EXPECT_FALSE(tick(20).has_value()) << "and until it is opened anew";
     emulated_.advance_to(time_.now_s);
     EXPECT_EQ(emulated_.told_torques().back().torques, JointTorques{});
+}
+
+class FollowedBoard : public SleepyBoard {
+  protected:
+    /// Returns whether a servo that comes after this one takes the board over.
+    [[nodiscard]] bool is_taken_over(const Handover& from) {
+        next_ = std::make_unique<WatchedBoard>(std::make_unique<EmulatedLink>(emulated_, time_),
+                                               default_profile(), Calibration{}, slept_in_test);
+        return next_->take_over(from);
+    }
+
+    [[nodiscard]] Handover handover() {
+        return {board_.place(), tick(10).value(), steady_now_ns(), 0.0, "1-1"};
+    }
+
+    std::unique_ptr<WatchedBoard> next_;
+};
+
+TEST_F(FollowedBoard, IsTakenOverWhereItIs) {
+    ASSERT_TRUE(is_taken_over(handover()));
+    time_.now_s += rig_tick_s;
+    (void)next_->read_angles(time_.now_s);
+    EXPECT_FALSE(next_->has_lost_place());
+    EXPECT_EQ(next_->place().slept_ns, board_.place().slept_ns) << "for the one after it";
+}
+
+TEST_F(FollowedBoard, IsNotTakenOverAfterASleepOrTwoSeconds) {
+    Handover late = handover();
+    late.seen_ns -= 3'000'000'000;
+    EXPECT_FALSE(is_taken_over(late));
+    const Handover before = handover();
+    slept_in_test_ns += 3'600'000'000'000;
+    EXPECT_FALSE(is_taken_over(before));
 }
 
 TEST_F(SleepyBoard, TakesNoJitterOfTheClocksForASleep) {
