@@ -128,5 +128,60 @@ TEST(StartOfAWalk, AfterAFreeMotionOneAsLongAsIsSparedIsFreeToo) {
     EXPECT_GT(spared, 500U);
 }
 
+/// A motion that starts where a disc touches a segment, and goes anywhere or to a place nearby on
+/// the curve.
+Motion lift_off(trials::Random& random, const LevelSegments& segments, std::size_t start,
+                double level, double radius_m) {
+    const auto& all = segments.all();
+    const Segment& s = all[start].segment;
+    const double side = random.below(2) == 0 ? 1.0 : -1.0;
+    const Direction normal = side * left_of(direction_of(s.b - s.a));
+    const Position from = s.a + random.unit() * (s.b - s.a) + along<Position>(normal, radius_m);
+    const std::size_t near = (start + 1 + random.below(40)) % all.size();
+    const Position way = random.below(2) == 0 ? random.decade(-6.0, -1.5) * random.direction()
+                                              : 2.0 * (all[near].segment.b - from);
+    return {from, from + way, radius_m, level, {}};
+}
+
+/// A search along the outline first finds what the search from the grid or the top finds.
+TEST(StartOfAWalk, AMotionThatLiftsOffMeetsTheSameAlongItsOutline) {
+    std::size_t hits = 0;
+    std::size_t fewer_boxes = 0;
+    const auto compare = [&](const Scene& scene, double radius_m, int each_level,
+                             trials::Random& random) {
+        for (const double level : trials::levels_of(scene.curves)) {
+            const LevelSegments segments(scene.curves, level);
+            for (int i = 0; i < each_level; ++i) {
+                const std::size_t start = random.below(segments.all().size());
+                const Segment& s = segments.all()[start].segment;
+                if (is_point(s)) continue;
+                const Motion motion = lift_off(random, segments, start, level, radius_m);
+                const Hit found =
+                    scene.tree.first_hit_from(scene.curves, motion, segments.all()[start].ref, {});
+                const Hit expected = scene.tree.first_hit(scene.curves, motion, {});
+                hits += found.is_hit ? 1U : 0U;
+                fewer_boxes += found.boxes < expected.boxes ? 1U : 0U;
+                ASSERT_EQ(found.is_hit, expected.is_hit) << level << " " << i;
+                ASSERT_NEAR(found.clear, expected.clear, 1e-12) << level << " " << i;
+                ASSERT_LE(found.spare_m, expected.spare_m) << level << " " << i;
+            }
+        }
+    };
+    for (const auto kind : {workload::Kind::radial, workload::Kind::fractal}) {
+        for (const double radius_m : {contact_skin_m, 2e-4}) {
+            trials::Random random(7);
+            const TactileMap map = workload::map_of(workload::curve(kind, 4096));
+            compare(trials::every_level(map, radius_m), radius_m, 500, random);
+        }
+    }
+    for (std::uint64_t seed = 0; seed < trials::count(60, 3000); ++seed) {
+        trials::Random random(seed);
+        const Scene scene = trials::every_level(scenes::random_map(static_cast<unsigned>(seed), 4));
+        compare(scene, contact_skin_m, 20, random);
+    }
+    EXPECT_GT(hits, 5000U);
+    EXPECT_GT(fewer_boxes, 1000U);
+}
+
 }  // namespace
 }  // namespace touchline
