@@ -35,7 +35,7 @@ class FirstHit : public FirstTouch {
     Spender spender_;
 };
 
-/// What visitors that look around a place have in common.
+/// What visitors that look for what is nearest to a place have in common.
 class AroundPlace {
   public:
     AroundPlace(Position p, const Budget& budget) : p_(p), spender_(budget) {}
@@ -110,21 +110,38 @@ class AnyNear : public AroundPlace {
 };
 
 /// The coarser level's boxes hold every blend, so whatever may sweep over p has its box there.
-class FirstWall : public AroundPlace {
+class FirstWall {
   public:
     static constexpr bool asks_leaf_boxes = false;
 
     FirstWall(const CurveSet& curves, Position p, const LevelChange& change,
               const std::array<SegmentRef, 2>& excluded, const Budget& budget)
-        : AroundPlace(p, budget), curves_(curves), change_(change), excluded_(excluded) {}
+        : curves_(curves),
+          way_{p, {}, contact_skin_m},
+          change_(change),
+          excluded_(excluded),
+          spender_(budget) {}
 
-    [[nodiscard]] static double cut() { return contact_skin_m; }
+    [[nodiscard]] const Way& way() const { return way_; }
+
+    static void spare(double /*margin_m*/) {}
+
+    [[nodiscard]] Sifted sift(const Fan& fan) const { return touchline::sift(fan, way_); }
+
+    [[nodiscard]] std::optional<double> near(const Box& box) const {
+        return approach(box, way_).is_met ? std::optional(0.0) : std::nullopt;
+    }
+
+    /// Whatever comes within the skin may be first.
+    [[nodiscard]] static double cut() { return 0.0; }
+
+    bool spend(int boxes) { return spender_.spend(boxes); }
 
     void leaf(SegmentRef ref, const Segment& /*between*/) {
         const bool has_octave = change_.finer < curves_.piece(ref.piece).coarsest;
         if (!has_octave || ref == excluded_[0] || ref == excluded_[1]) return;
         look_up(ref.piece);
-        const auto found = meeting(p(), from_.segment(ref.index), to_.segment(ref.index));
+        const auto found = meeting(way_.from, from_.segment(ref.index), to_.segment(ref.index));
         if (!found) return;
         const bool is_lower = found->share == hit_.share && hit_.is_hit && ref < hit_.segment;
         if (!(found->share < hit_.share || is_lower || !hit_.is_hit)) return;
@@ -132,8 +149,8 @@ class FirstWall : public AroundPlace {
     }
 
     WallHit result(double unopened) {
-        hit_.boxes = opened();
-        hit_.is_complete = unopened > contact_skin_m;
+        hit_.boxes = spender_.opened();
+        hit_.is_complete = !std::isfinite(unopened);
         return hit_;
     }
 
@@ -146,8 +163,10 @@ class FirstWall : public AroundPlace {
     }
 
     const CurveSet& curves_;
+    Way way_;
     const LevelChange& change_;
     const std::array<SegmentRef, 2>& excluded_;
+    Spender spender_;
     int piece_ = -1;  // whose these are:
     RenderedPiece from_, to_;
     WallHit hit_;
@@ -188,9 +207,8 @@ WallHit CollisionTree::first_wall(const CurveSet& curves, Position p, const Leve
                                   const std::array<SegmentRef, 2>& excluded,
                                   const Budget& budget) const {
     FirstWall visitor(curves, p, change, excluded, budget);
-    const double unopened =
-        TreeWalk(*this, curves, change.finer + 0.5, visitor).run_near({p, {}, contact_skin_m});
-    return visitor.result(unopened);
+    TreeWalk walk(*this, curves, change.finer + 0.5, visitor);
+    return visitor.result(walk.run_near(visitor.way()));
 }
 
 NodeRange CollisionTree::nodes(const CurveSet& curves, int piece, double level) {
