@@ -17,11 +17,22 @@ struct Falling {
     double room, rate, bend;
 };
 
-/// The room of an edge's end beyond `reach` along a fixed direction.
-Falling falling(Position end, double reach, Direction n, Position origin, const ProbeMove& move) {
-    const Position arm = end - origin;
-    return {std::max(dot(n, end) - reach, 0.0), dot(n, move.by) + move.turn_rad * cross(arm, n),
-            move.turn_rad * move.turn_rad * norm(arm)};
+/// A motion from a moment on: the pivot's place, its move, and the share of the move that is left.
+struct MotionLeft {
+    Position pivot;
+    const ProbeMove& move;
+    double left;
+};
+
+/// The room of an edge's end beyond `reach` along a fixed direction. The end turns about the pivot,
+/// so it speeds up towards it: by what points along the direction now, and what turns into it.
+Falling falling(Position end, double reach, Direction n, const MotionLeft& motion) {
+    const double turn = motion.move.turn_rad;
+    const Position arm = end - motion.pivot;
+    const double size = norm(arm);
+    const double along = std::max(dot(n, arm), 0.0) + std::abs(turn) * motion.left * size;
+    return {std::max(dot(n, end) - reach, 0.0), dot(n, motion.move.by) + turn * cross(arm, n),
+            turn * turn * std::min(along, size)};
 }
 
 /// Returns the first moment at which the room falls to 0; infinity if it never does.
@@ -38,35 +49,33 @@ bool lasts(const Falling& f, double share) {
     return f.room + share * (f.rate - 0.5 * f.bend * share) >= 0.0;
 }
 
-/// Returns whether free_beside_line() would find `share` or more. This settles most pairs, and
-/// without a root.
-bool is_free_beside_line(const Segment& edge, const Segment& line, Direction n, Position origin,
-                         const ProbeMove& move, double keep_m, double share) {
+/// Returns the share over which the ends of the edge are not too near along a fixed direction;
+/// infinity if that is all that is left. Most pairs are settled so, without a root.
+double free_beside_line(const Segment& edge, const Segment& line, Direction n,
+                        const MotionLeft& motion, double keep_m) {
     const double reach = std::max(dot(n, line.a), dot(n, line.b)) + keep_m;
-    return lasts(falling(edge.a, reach, n, origin, move), share) &&
-           lasts(falling(edge.b, reach, n, origin, move), share);
-}
-
-/// Goes until the ends of the edge are too near along a fixed direction.
-double free_beside_line(const Segment& edge, const Segment& line, Direction n, Position origin,
-                        const ProbeMove& move, double keep_m) {
-    const double reach = std::max(dot(n, line.a), dot(n, line.b)) + keep_m;
-    return std::min({never, exhausted(falling(edge.a, reach, n, origin, move)),
-                     exhausted(falling(edge.b, reach, n, origin, move))});
+    const Falling a = falling(edge.a, reach, n, motion);
+    const Falling b = falling(edge.b, reach, n, motion);
+    if (lasts(a, motion.left) && lasts(b, motion.left)) return never;
+    return std::min(exhausted(a), exhausted(b));
 }
 
 /// Goes until the ends of the line are too near along a direction that turns with the edge.
-double free_beside_edge(const Segment& edge, const Segment& line, Direction n, Position origin,
-                        const ProbeMove& move, double keep_m) {
+double free_beside_edge(const Segment& edge, const Segment& line, Direction n,
+                        const MotionLeft& motion, double keep_m) {
     const double reach = std::min(dot(n, edge.a), dot(n, edge.b)) - keep_m;
-    const double way_m = norm(move.by);
-    const double turn = std::abs(move.turn_rad);
+    const Position by = motion.move.by;
+    const double turn = motion.move.turn_rad;
+    const double way_m = norm(by);
     double free = never;
     for (const Position end : {line.a, line.b}) {
-        const Position arm = end - origin;
-        const double rate = dot(n, move.by) - move.turn_rad * dot(left_of(n), arm);
-        const double bend = turn * (turn * (norm(arm) + way_m) + 2.0 * way_m);
-        free = std::min(free, exhausted({std::max(reach - dot(n, end), 0.0), rate, bend}));
+        const Position arm = end - motion.pivot;
+        const double rate = dot(n, by) - turn * dot(left_of(n), arm);
+        const double bend = -turn * (turn * dot(n, arm) + 2.0 * dot(left_of(n), by));
+        const double more =
+            turn * turn * (std::abs(turn) * (norm(arm) + way_m) + 3.0 * way_m) * motion.left;
+        free = std::min(free, exhausted({std::max(reach - dot(n, end), 0.0), rate,
+                                         std::max(bend, 0.0) + more}));
     }
     return free;
 }
@@ -78,6 +87,15 @@ constexpr double margin_m = 2e-3;     // of the way, before a front is made anew
 constexpr double straight_m = 1e-10;  // a node no thicker counts as the line that it holds
 constexpr double now = -std::numeric_limits<double>::infinity();
 constexpr std::int32_t rendered = -1;  // as a node's level
+
+/// Returns how far the chord of a shape, in its frame, is from a line along a direction: at most
+/// their distance.
+double room_along(Direction n, const ProbePlacement& shape, const Segment& chord,
+                  const Segment& line) {
+    const Direction m = shape.seen_by_shape(n);
+    return dot(n, shape.origin()) + std::min(dot(m, chord.a), dot(m, chord.b)) -
+           std::max(dot(n, line.a), dot(n, line.b));
+}
 
 double half_size(const Capsule& capsule) {
     return norm(capsule.chord.b - capsule.chord.a) + 2.0 * capsule.thickness_m;
@@ -92,13 +110,15 @@ double clear_share(const EdgeAndLine& pair, const ProbePose& from, const ProbePl
     double share = 0.0;
     for (int i = 0; i < most_advances; ++i) {
         if (!(at.distance_m > 0.0)) return share;
-        const Position origin = from.place() + share * move.by;
+        const MotionLeft motion{from.place() + move.pivot + share * move.by, move, most - share};
         const Direction n = at.normal;
-        if (is_free_beside_line(edge, pair.line, n, origin, move, keep_m, most - share))
-            return most;
-        share += std::max(free_beside_line(edge, pair.line, n, origin, move, keep_m),
-                          free_beside_edge(edge, pair.line, n, origin, move, keep_m));
-        if (!(share < most)) return most;
+        const double beside_line = free_beside_line(edge, pair.line, n, motion, keep_m);
+        if (beside_line == never) return most;
+        const double next =
+            share + std::max(beside_line, free_beside_edge(edge, pair.line, n, motion, keep_m));
+        if (next >= most) return most;
+        if (!(next > share)) return share;
+        share = next;
         edge = ProbePlacement(from + share * move)(pair.edge);
         at = separation(edge, pair.line);
         if (at.distance_m - keep_m <= near_enough_m) return share;
@@ -139,13 +159,22 @@ void ProbeFront::remake(double reach_m) {
 
 void ProbeFront::look(const ProbePlacement& shape, double keep_m, double reach_m,
                       Spender& spender) {
+    look({shape, keep_m, reach_m, spender});
+}
+
+void ProbeFront::look_along(const ProbeMove& move, const ProbePlacement& shape, double keep_m,
+                            Spender& spender) {
+    look({shape, keep_m, move.reach_m(shape_->r_max_m()), spender, &move});
+}
+
+void ProbeFront::look(const Look& look) {
     near_.clear();
     unopened_m_ = INFINITY;
     const bool is_full = pairs_.size() > most_pairs - most_pairs / 4;
-    if (is_stale_ || is_full || way_m_ + reach_m >= far_m_) remake(reach_m);
-    const Look at{shape, keep_m, reach_m, spender};
+    if (is_stale_ || is_full || way_m_ + look.reach_m >= far_m_) remake(look.reach_m);
+    const double limit = way_m_ + look.reach_m;
     for (std::size_t i = 0; i * block < due_m_.size(); ++i) {
-        if (block_due_m_[i] <= way_m_ + reach_m) look_at_block(i * block, at);
+        if (block_due_m_[i] <= limit) look_at_block(i * block, look);
     }
 }
 
@@ -177,26 +206,28 @@ bool ProbeFront::examine(std::size_t i, const Look& look) {
     }
     const bool is_end = pair.is_end;
     const Capsule& scene = pair.scene;
-    const Segment chord = look.shape(probe.capsule.chord);
-    const Separation at = separation(chord, scene.chord);
-    const double gap_m =
-        at.distance_m - probe.capsule.thickness_m - scene.thickness_m - look.keep_m;
-    if (gap_m > look.reach_m) {
-        if (way_m_ + gap_m > far_m_) {
-            drop(i);
-            return false;
-        }
-        due_m_[i] = way_m_ + gap_m;
-        return true;
+    const double kept_m = probe.capsule.thickness_m + scene.thickness_m + look.keep_m;
+    const double room_m = room_along(pair.at.normal, look.shape, probe.capsule.chord, scene.chord);
+    bool is_past = is_apart(i, room_m - kept_m, look);
+    if (!is_past && pair.seen != moves_) {
+        pair.at = separation(look.shape(probe.capsule.chord), scene.chord);
+        pair.seen = moves_;
+        is_past = is_apart(i, pair.at.distance_m - kept_m, look);
     }
+    if (is_past) {
+        const bool is_far = due_m_[i] > far_m_;
+        if (is_far) drop(i);
+        return !is_far;
+    }
+    const double gap_m = pair.at.distance_m - kept_m;
+    due_m_[i] = way_m_ + gap_m;
     if (is_end && probe.edge >= 0) {
-        due_m_[i] = way_m_ + gap_m;
         if (near_.size() < most_near) {
             const Segment& edge = shape_->edges()[static_cast<std::size_t>(probe.edge)];
-            near_.push_back({{edge, scene.chord, at}, pair.node});
-        } else {
-            unopened_m_ = std::min(unopened_m_, gap_m);
+            near_.push_back({{edge, scene.chord, pair.at}, pair.node});
+            return true;
         }
+        unopened_m_ = std::min(unopened_m_, gap_m);
         return true;
     }
     const bool is_scene =
@@ -205,6 +236,24 @@ bool ProbeFront::examine(std::size_t i, const Look& look) {
     due_m_[i] = now;
     unopened_m_ = std::min(unopened_m_, gap_m);
     return true;
+}
+
+/// Returns whether pair i, `gap_m` off along its normal, stays apart. A point that turns falls
+/// short of its rate at the start by at most `bend_m`.
+bool ProbeFront::is_apart(std::size_t i, double gap_m, const Look& look) {
+    due_m_[i] = way_m_ + gap_m;
+    if (gap_m > look.reach_m) return true;
+    if (look.move == nullptr || !(gap_m >= 0.0)) return false;
+    const Pair& pair = pairs_[i];
+    const Capsule& probe = shape_->nodes()[static_cast<std::size_t>(pair.probe)].capsule;
+    const ProbeMove& move = *look.move;
+    const double turn = move.turn_rad;
+    const Direction n = look.shape.seen_by_shape(pair.at.normal);
+    const double turned_m =
+        std::min(turn * cross(probe.chord.a, n), turn * cross(probe.chord.b, n));
+    const double left_m = gap_m + dot(pair.at.normal, move.origin_by()) + turned_m -
+                          std::abs(turn) * probe.thickness_m - move.bend_m(shape_->r_max_m());
+    return left_m >= 0.0;
 }
 
 bool ProbeFront::split(std::size_t i, bool is_scene) {
@@ -221,6 +270,7 @@ bool ProbeFront::split(std::size_t i, bool is_scene) {
         parts[0] = {pair.node, left};
         parts[1] = {pair.node, left + 1};
     }
+    for (Pair& part : parts) part.at.normal = pair.at.normal;
     replace(i, {parts.data(), count});
     return true;
 }

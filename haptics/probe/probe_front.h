@@ -62,6 +62,10 @@ class ProbeFront {
     /// pair only if its allowance is used up; opens nodes within the budget.
     void look(const ProbePlacement& shape, double keep_m, double reach_m, Spender& spender);
 
+    /// The same for one move: leaves out pairs that stay apart along their shortest way.
+    void look_along(const ProbeMove& move, const ProbePlacement& shape, double keep_m,
+                    Spender& spender);
+
     /// The pairs that the last look found.
     [[nodiscard]] std::span<const NearPair> near() const { return near_; }
 
@@ -72,7 +76,10 @@ class ProbeFront {
     [[nodiscard]] double unopened_m() const { return unopened_m_; }
 
     /// Tells the front that the shape has moved, no point of it by more than `way_m`.
-    void spend(double way_m) { way_m_ += way_m; }
+    void spend(double way_m) {
+        way_m_ += way_m;
+        ++moves_;
+    }
 
     /// The number of pairs kept.
     [[nodiscard]] std::size_t size() const { return due_m_.size(); }
@@ -86,6 +93,8 @@ class ProbeFront {
         std::int32_t probe = 0;
         bool is_known = false;  // the scene's side below has been worked out
         bool is_end = false;
+        std::uint64_t seen = 0;  // the move before which `at` holds
+        Separation at{};         // its normal parts the two longer, as long as it leaves room
         Capsule scene{};
     };
 
@@ -94,13 +103,16 @@ class ProbeFront {
         double keep_m;
         double reach_m;
         Spender& spender;
+        const ProbeMove* move = nullptr;  // nullptr: any of that reach
     };
 
     void remake(double reach_m);
+    void look(const Look& look);
     void look_at_block(std::size_t first, const Look& look);
     void add(const Pair& pair);
     /// Returns whether pair i is done; if not, its place holds another pair or none.
     bool examine(std::size_t i, const Look& look);
+    [[nodiscard]] bool is_apart(std::size_t i, double gap_m, const Look& look);
     bool split(std::size_t i, bool is_scene);
     void replace(std::size_t i, std::span<const Pair> parts);
     void drop(std::size_t i);
@@ -117,6 +129,7 @@ class ProbeFront {
     std::vector<NearPair> near_;
     double way_m_ = 0.0;  // moved since the front was made
     double far_m_ = 0.0;  // nothing that was dropped matters before
+    std::uint64_t moves_ = 1;
     double unopened_m_ = 0.0;
     bool is_stale_ = true;
 };

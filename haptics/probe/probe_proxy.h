@@ -25,12 +25,21 @@ namespace touchline {
 /// coordinates the coupling's energy is K_t / 2 times the square of the distance left.
 using Coupled = std::array<double, 3>;
 
+[[nodiscard]] inline double dot3(const Coupled& a, const Coupled& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
 [[nodiscard]] inline double square(const Coupled& move) {
-    return move[0] * move[0] + move[1] * move[1] + move[2] * move[2];
+    return dot3(move, move);
 }
 
 [[nodiscard]] inline Coupled operator*(double share, const Coupled& move) {
     return {share * move[0], share * move[1], share * move[2]};
+}
+
+/// Returns twice the energy that a move leaves, divided by the stiffness.
+[[nodiscard]] inline double left_of_move(const Coupled& wanted, const Coupled& move) {
+    return square({wanted[0] - move[0], wanted[1] - move[1], wanted[2] - move[2]});
 }
 
 /// A contact that allows moves with row . move + gap_m >= 0.
@@ -54,8 +63,9 @@ struct LeastMove {
 /// Takes the most violated constraint first: the one that a move breaks most joins at most eight
 /// candidates, of which the subsets of three or fewer that include the newest are tried (29 at
 /// most). If it finds no allowed move, it returns one that breaks the constraints least late; the
-/// caller's sweep stops that one.
-[[nodiscard]] LeastMove least_move(std::span<const Constraint> constraints, const Coupled& wanted);
+/// caller's sweep stops that one. Tries first what held the move back in one like it.
+[[nodiscard]] LeastMove least_move(std::span<const Constraint> constraints, const Coupled& wanted,
+                                   const LeastMove& like = {});
 
 /// Symmetric, in the coordinates of a Coupled move; per metre.
 using Curvature = std::array<std::array<double, 3>, 3>;
@@ -74,8 +84,14 @@ class Touching {
     /// The distance's second derivative.
     [[nodiscard]] Curvature curvature() const;
 
-    /// Returns how far the distance after a move differs from what row() says.
-    [[nodiscard]] double bend_m(const Coupled& move) const;
+    /// Returns the distance after a move: `moved` is a shape at the origin after it.
+    [[nodiscard]] double distance_m(const ProbePlacement& moved) const;
+
+    /// Returns how far along the normal from the shape's origin a pivot lies under which a move
+    /// does not bend the distance at first.
+    [[nodiscard]] double pivot_m(const ProbeMove& move) const;
+
+    [[nodiscard]] Direction normal() const { return at_.normal; }
 
   private:
     enum class Kind : std::uint8_t { end_on_line, edge_on_end, end_on_end };
@@ -93,9 +109,13 @@ class CurvedEnergy {
   public:
     CurvedEnergy(std::span<const Touching> touching, const LeastMove& least);
 
-    /// As least_move(), for this energy.
-    [[nodiscard]] Coupled least(std::span<const Constraint> constraints, const Coupled& wanted,
-                                std::vector<Constraint>& seen) const;
+    /// Turns constraints into those of a plain energy.
+    void see(std::span<const Constraint> constraints, std::vector<Constraint>& seen) const;
+
+    /// As least_move(), for this energy and constraints that see() turned. `held`: what held back a
+    /// move like it, and then this one.
+    [[nodiscard]] Coupled least(std::span<const Constraint> seen, const Coupled& wanted,
+                                LeastMove& held) const;
 
   private:
     Curvature factor_{};  // lower triangle L; the energy is L L^T
@@ -164,9 +184,8 @@ class ProbeProxy {
     /// The number of pairs kept from step to step.
     [[nodiscard]] std::size_t pairs() const { return front_.size(); }
 
-    /// From the next step on, `path` holds the poses of the latest step, beginning with its start;
-    /// between them the shape moved straight and turned steadily. nullptr keeps none. For tests: it
-    /// may allocate.
+    /// From the next step on, `path` holds poses of the latest step, beginning with its start, as
+    /// add_way() finds them. nullptr keeps none. For tests: it may allocate.
     void record_path(std::vector<ProbePose>* path) { path_ = path; }
 
   private:
@@ -199,15 +218,24 @@ class ProbeProxy {
                ProbeReport& report);
     [[nodiscard]] bool follow_otherwise(Following& following) const;
     void find_touching(const Springs& springs);
-    [[nodiscard]] LeastMove wanted_move(const ProbePose& handle, const Springs& springs,
-                                        const Following& following);
-    [[nodiscard]] Coupled curved_move(const CurvedEnergy& energy, const Coupled& wanted,
-                                      Coupled move);
-    [[nodiscard]] double gentleness(const Coupled& move) const;
+    [[nodiscard]] ProbeMove wanted_move(const ProbePose& handle, const Springs& springs,
+                                        const Following& following, LeastMove& held);
+    [[nodiscard]] bool curved_move(const Coupled& wanted, const Springs& springs,
+                                   const Following& following, const LeastMove& held,
+                                   ProbeMove& move);
+    [[nodiscard]] Coupled curved_end(const CurvedEnergy& energy, const Coupled& wanted,
+                                     Coupled move, const Springs& springs, double most_bend_m,
+                                     LeastMove held);
+    [[nodiscard]] Position pivot_of(const ProbeMove& move, const LeastMove& held) const;
+    [[nodiscard]] ProbeMove rolling(const Coupled& move, const Springs& springs,
+                                    const LeastMove& held) const;
+    [[nodiscard]] double sink_m(const ProbeMove& move) const;
     [[nodiscard]] double shortening(const Coupled& move, const Springs& springs,
                                     double longest_m) const;
-    [[nodiscard]] double clear_share_of(const ProbeMove& move);
-    double advance(const ProbeMove& move, ProbeReport& report);
+    [[nodiscard]] double free_share_of(const ProbeMove& move, Spender& spender);
+    [[nodiscard]] double clear_share_of(const ProbeMove& move, Spender& spender, bool can_shorten);
+    double advance(const ProbeMove& move, const ProbePose& handle, const Springs& springs,
+                   Spender& spender, bool can_shorten, ProbeReport& report);
     void change_level(double level, const ProbePose& handle, const Springs& springs,
                       Spender& spender);
     bool try_level(double level, const ProbePose& handle, const Springs& springs, Spender& spender);
@@ -229,7 +257,6 @@ class ProbeProxy {
     EnergyAccount account_;
     std::vector<ProbePose>* path_ = nullptr;
     ContactState state_ = ContactState::free;
-    double last_reach_m_ = 0.0;  // in the last tick's first move: how far to look at once
     bool is_placed_ = false;
 };
 

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double largest_radius_m = 0.02;
 constexpr double disc_radius_m = 4e-3;
+constexpr double way_error_m = 1e-9;
 constexpr double corner_radius_m = 5e-4;  // rounds a corner, so that it does not catch on a line's
 
 /// Returns a capsule whose chord points from the first point to the one furthest from it.
@@ -42,6 +43,13 @@ ProbeShape rounded(const Outline& outline, Position held_at) {
 }
 
 }  // namespace
+
+void add_way(const ProbePose& from, const ProbeMove& move, std::vector<ProbePose>& way) {
+    // How far the arc of the origin about the pivot leaves its chord.
+    const double off_m = 0.125 * move.turn_rad * move.turn_rad * norm(move.pivot);
+    const int parts = 1 + static_cast<int>(std::sqrt(off_m / way_error_m));
+    for (int i = 1; i <= parts; ++i) way.push_back(from + (static_cast<double>(i) / parts) * move);
+}
 
 Result<ProbeShape> ProbeShape::build(std::vector<Segment> edges, double radius_m) {
     if (edges.empty()) return failure("the shape has no line; draw one outline at least");

@@ -11,10 +11,6 @@ constexpr double least_determinant = 1e-10;  // of rows about 1 long: below, the
 constexpr int most_candidates = 8;
 constexpr int most_rounds = 16;
 
-double dot3(const Coupled& a, const Coupled& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /// Finds pushes on k <= 3 rows so that each is just kept. Returns false if rows say the same.
 bool solve(const std::array<const Constraint*, most_active>& rows, int k, const Coupled& wanted,
            std::array<double, most_active>& push) {
@@ -83,27 +79,44 @@ class Candidates {
         return false;
     }
 
-  private:
-    bool is_least(const std::array<int, most_active>& subset, int k, LeastMove& out) const {
+    /// Returns whether the same constraints as before hold the move back.
+    bool is_still(const LeastMove& before, LeastMove& out) {
         LeastMove tried;
+        if (!is_push(before.active, before.active_count, tried)) return false;
+        for (const Constraint& c : constraints_) {
+            if (dot3(c.row, tried.move) + c.gap_m < -tolerance_m) return false;
+        }
+        out = tried;
+        return true;
+    }
+
+  private:
+    /// Finds the move that is just allowed by k constraints. Returns false if one of them pulls.
+    bool is_push(const std::array<int, most_active>& active, int k, LeastMove& tried) const {
         std::array<const Constraint*, most_active> rows{};
         for (std::size_t i = 0; i < static_cast<std::size_t>(k); ++i) {
-            tried.active[i] = index_[static_cast<std::size_t>(subset[i])];
-            rows[i] = &constraints_[static_cast<std::size_t>(tried.active[i])];
+            rows[i] = &constraints_[static_cast<std::size_t>(active[i])];
         }
+        tried.active = active;
         tried.active_count = k;
         if (!solve(rows, k, wanted_, tried.push_m)) return false;
+        tried.move = wanted_;
         for (std::size_t i = 0; i < static_cast<std::size_t>(k); ++i) {
             if (!(tried.push_m[i] >= 0.0)) return false;
-        }
-        tried.move = wanted_;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            double push = 0.0;
-            for (std::size_t i = 0; i < static_cast<std::size_t>(k); ++i) {
-                push += tried.push_m[i] * rows[i]->row[axis];
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                tried.move[axis] += tried.push_m[i] * rows[i]->row[axis];
             }
-            tried.move[axis] += push;
         }
+        return true;
+    }
+
+    bool is_least(const std::array<int, most_active>& subset, int k, LeastMove& out) const {
+        LeastMove tried;
+        std::array<int, most_active> active{-1, -1, -1};
+        for (std::size_t i = 0; i < static_cast<std::size_t>(k); ++i) {
+            active[i] = index_[static_cast<std::size_t>(subset[i])];
+        }
+        if (!is_push(active, k, tried)) return false;
         for (int i = 0; i < count_; ++i) {
             const Constraint& c =
                 constraints_[static_cast<std::size_t>(index_[static_cast<std::size_t>(i)])];
@@ -177,10 +190,12 @@ Coupled backward(const Curvature& l, const Coupled& b) {
 
 }  // namespace
 
-LeastMove least_move(std::span<const Constraint> constraints, const Coupled& wanted) {
+LeastMove least_move(std::span<const Constraint> constraints, const Coupled& wanted,
+                     const LeastMove& like) {
     LeastMove out;
     out.move = wanted;
     Candidates candidates(constraints, wanted);
+    if (like.active_count > 0 && candidates.is_still(like, out)) return out;
     for (int round = 0; round < most_rounds && !candidates.is_full(); ++round) {
         const int broken = most_broken(constraints, out.move, candidates);
         if (broken < 0) break;
@@ -221,18 +236,16 @@ Curvature Touching::curvature() const {
     return out;
 }
 
-double Touching::bend_m(const Coupled& move) const {
-    const double angle = move[2] / lever_m_;
-    const double c = std::cos(angle);
-    const double s = std::sin(angle);
-    const Position turned{c * arm_.x - s * arm_.y, s * arm_.x + c * arm_.y};
-    const Position by = at_.on_first - at_.on_second + Position{move[0], move[1]} + turned - arm_;
-    const double straight_m =
-        at_.distance_m + row_[0] * move[0] + row_[1] * move[1] + row_[2] * move[2];
-    Direction n = at_.normal;
-    if (kind_ == Kind::end_on_end) return norm(by) - straight_m;
-    if (kind_ == Kind::edge_on_end) n = {c * n.x - s * n.y, s * n.x + c * n.y};
-    return dot(n, by) - straight_m;
+double Touching::distance_m(const ProbePlacement& moved) const {
+    const Position by = moved(arm_) - arm_ + (at_.on_first - at_.on_second);
+    if (kind_ == Kind::end_on_end) return norm(by);
+    return dot(at_.normal, kind_ == Kind::edge_on_end ? moved.seen_by_shape(by) : by);
+}
+
+double Touching::pivot_m(const ProbeMove& move) const {
+    const Direction n = at_.normal;
+    if (kind_ != Kind::edge_on_end) return dot(n, arm_);
+    return at_.distance_m - dot(n, arm_) - 2.0 * dot(left_of(n), move.by) / move.turn_rad;
 }
 
 CurvedEnergy::CurvedEnergy(std::span<const Touching> touching, const LeastMove& least)
@@ -246,12 +259,16 @@ CurvedEnergy::CurvedEnergy(std::span<const Touching> touching, const LeastMove& 
     if (!factor(factor_)) factor_ = plain;
 }
 
-Coupled CurvedEnergy::least(std::span<const Constraint> constraints, const Coupled& wanted,
-                            std::vector<Constraint>& seen) const {
+void CurvedEnergy::see(std::span<const Constraint> constraints,
+                       std::vector<Constraint>& seen) const {
     seen.clear();
     for (const Constraint& c : constraints) seen.push_back({forward(factor_, c.row), c.gap_m});
-    const LeastMove least = least_move(seen, forward(factor_, wanted));
-    return backward(factor_, least.move);
+}
+
+Coupled CurvedEnergy::least(std::span<const Constraint> seen, const Coupled& wanted,
+                            LeastMove& held) const {
+    held = least_move(seen, forward(factor_, wanted), held);
+    return backward(factor_, held.move);
 }
 
 }  // namespace touchline

@@ -1,4 +1,5 @@
-// Which shapes are valid, and that every node of the tree holds what is below it.
+// Which shapes are valid, that every node of the tree holds what is below it, and that the way
+// recorded of a move is its way.
 
 #include "haptics/probe/probe_shape.h"
 
@@ -56,6 +57,34 @@ TEST(ProbeShape, EveryNodeHoldsItsEdges) {
         (void)check(0);
         EXPECT_EQ(leaves, shape.edges().size());
     }
+}
+
+TEST(ProbeMove, ItsRecordedWayIsWithinANanometre) {
+    trials::Random random(5);
+    std::size_t most = 0;
+    for (int trial = 0; trial < 2000; ++trial) {
+        const auto place = [&random](double size_m) {
+            return Position{size_m * (random.unit() - 0.5), size_m * (random.unit() - 0.5)};
+        };
+        const ProbePose from{0.01 * random.unit(), 0.0, 6.0 * random.unit()};
+        const ProbeMove move{place(1e-3), 0.4 * (random.unit() - 0.5), place(0.04)};
+        std::vector<ProbePose> way{from};
+        add_way(from, move, way);
+        ASSERT_EQ(way.back(), from + move);
+        const std::size_t parts = way.size() - 1;
+        most = std::max(most, parts);
+        for (std::size_t i = 0; i < parts; ++i) {
+            for (const double share : {0.0, 0.25, 0.5, 0.75}) {
+                const double done = (static_cast<double>(i) + share) / static_cast<double>(parts);
+                const ProbeMove off =
+                    (way[i] + share * (way[i + 1] - way[i])) - (from + done * move);
+                // The angles agree, so every point of the shape is as far off as its origin.
+                ASSERT_LT(norm(off.by), 1e-9) << trial;
+                ASSERT_LT(std::abs(off.turn_rad), 1e-14) << trial;
+            }
+        }
+    }
+    EXPECT_GT(most, 100U);
 }
 
 }  // namespace
