@@ -6,8 +6,8 @@ import struct
 
 import processes
 
-SIZE = 64
-PRESSED, OWNER, OPENED, READS, TORQUE, ZEROED_NS, UNPLUGGED = 0, 8, 12, 16, 24, 32, 56
+SIZE = 80
+PRESSED, OWNER, OPENED, READS, TORQUE, ZEROED_NS, UNPLUGGED = 0, 8, 12, 16, 24, 32, 72
 
 
 class Board:

@@ -14,12 +14,12 @@ namespace touchline {
 namespace {
 
 /// Like a real board, it is free only once its last holder is dead, and while it is plugged in.
-Result<void> zero_by_guard(SoakBoard& soak) {
+Result<ZeroedBoard> zero_by_guard(SoakBoard& soak) {
     if (!soak.board.is_free()) return failure("the board is busy");
     if (soak.is_unplugged != 0) return failure("the board is not plugged in");
     soak.board.put({});
     ++soak.board.zeroed_by_guard;
-    return {};
+    return ZeroedBoard::unknown;
 }
 
 Result<KioskServo> start_soaked_servo(const std::shared_ptr<MouseHand>& /*hand*/) {

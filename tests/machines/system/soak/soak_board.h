@@ -18,7 +18,7 @@ struct SoakBoard {
 static_assert(offsetof(FakeBoard, owner) == 8);
 static_assert(offsetof(FakeBoard, reads) == 16);
 static_assert(offsetof(FakeBoard, is_torque_on) == 24);
-static_assert(offsetof(SoakBoard, is_unplugged) == 56 && sizeof(SoakBoard) == 64);
+static_assert(offsetof(SoakBoard, is_unplugged) == 72 && sizeof(SoakBoard) == 80);
 
 /// The environment variable that gives the kiosk the file's name.
 inline constexpr const char* soak_board_variable = "TOUCHLINE_SOAK_BOARD";
