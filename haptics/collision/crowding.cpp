@@ -133,7 +133,7 @@ Meetings Crowding::find_meetings(Meetings known, const std::vector<bool>& is_kno
     return std::move(meetings_);
 }
 
-/// Of two nodes under different roots the walk meets that first whose root lies first in the
+/// The walk meets nodes under different roots in the order in which their roots lie in the
 /// hierarchy.
 void Crowding::put_known_in_order() {
     if (meetings_.pairs.empty()) return;

@@ -162,21 +162,28 @@ bool ContactStep::is_thin(const Contact& at) const {
            at.offset_m >= 0.5 * contact_skin_m;
 }
 
+ContactStep::Course ContactStep::course_on(const Edge& edge) {
+    const Contact& at = first();
+    const Position pull = handle_ - proxy_.centre;
+    Course course;
+    course.pulled_m = dot(pull, edge.along);
+    course.is_forward = course.pulled_m > 0.0;
+    course.depth_m = -dot(pull, at.normal);
+    course.way_m = std::abs(course.pulled_m) - held_by_friction(settings_.friction, course.depth_m);
+    course.left_m = (course.is_forward ? 1.0 - at.parameter : at.parameter) * edge.length_m;
+    return course;
+}
+
 /// A slide that stops short of the end of an open edge, and so needs no sweep. Returns false, and
 /// does nothing, if there is more to it.
 bool ContactStep::rest_on_edge() {
     Contact& at = first();
     const Edge& edge = outlines_.edge(at.segment);
-    const Position pull = handle_ - proxy_.centre;
-    const double depth = -dot(pull, at.normal);
-    const double pulled_m = dot(pull, edge.along);
-    const double way_m = std::abs(pulled_m) - held_by_friction(settings_.friction, depth);
-    const bool is_forward = pulled_m > 0.0;
-    const double left_m = (is_forward ? 1.0 - at.parameter : at.parameter) * edge.length_m;
-    const bool is_short = way_m > 0.0 && way_m + 2.0 * at.offset_m <= left_m;
-    if (!(depth >= 0.0 && is_short)) return false;
-    if (!outlines_.is_open(at.segment, is_forward)) return false;
-    at.parameter += std::copysign(way_m * edge.per_length_m, pulled_m);
+    const Course course = course_on(edge);
+    const bool is_short = course.way_m > 0.0 && course.way_m + 2.0 * at.offset_m <= course.left_m;
+    if (!(course.depth_m >= 0.0 && is_short)) return false;
+    if (!outlines_.is_open(at.segment, course.is_forward)) return false;
+    at.parameter += std::copysign(course.way_m * edge.per_length_m, course.pulled_m);
     place_at_contact(edge.segment);
     return true;
 }
@@ -188,9 +195,9 @@ bool ContactStep::stride() {
     const EdgeRow& row = outlines_.row(at.segment.piece);
     if (row.points.empty() || !outlines_.is_alone(at.segment)) return false;
     const Edge edge = outlines_.edge(at.segment);
-    const bool is_forward = dot(handle_ - proxy_.centre, edge.along) > 0.0;
-    const double left_m = (is_forward ? 1.0 - at.parameter : at.parameter) * edge.length_m;
-    if (!(left_m > 3.0 * at.offset_m)) return false;
+    const Course course = course_on(edge);
+    const bool is_forward = course.is_forward;
+    if (!(course.left_m > 3.0 * at.offset_m)) return false;
     const int passed = vertices_passed(row, outlines_.scene().tree, at.segment.index, is_forward,
                                        {handle_, at.side, settings_.friction},
                                        std::min(longest_stride, max_walks - walks_));
@@ -218,16 +225,11 @@ bool ContactStep::stride() {
 bool ContactStep::rest_in_corner() {
     Contact& at = first();
     const Edge edge = outlines_.edge(at.segment);
-    const Position pull = handle_ - proxy_.centre;
-    const double pulled_m = dot(pull, edge.along);
-    const bool is_forward = pulled_m > 0.0;
-    if (!outlines_.is_open(at.segment, is_forward)) return false;
+    const Course course = course_on(edge);
+    const bool is_forward = course.is_forward;
+    if (!course.is_past_end() || !outlines_.is_open(at.segment, is_forward)) return false;
     const SegmentRef next = outlines_.next(at.segment, is_forward);
     if (next.piece < 0) return false;
-    const double left_m = (is_forward ? 1.0 - at.parameter : at.parameter) * edge.length_m;
-    const double depth_here = -dot(pull, at.normal);
-    const double way_m = std::abs(pulled_m) - held_by_friction(settings_.friction, depth_here);
-    if (!(depth_here >= 0.0 && way_m > left_m)) return false;
     const double sign = is_forward ? 1.0 : -1.0;
     const Edge& ahead = outlines_.edge(next);
     const Direction before = sign * edge.along;
@@ -240,7 +242,7 @@ bool ContactStep::rest_in_corner() {
     const bool is_pulled_on =
         depth >= 0.0 && dot(pull_there, after) > held_by_friction(settings_.friction, depth);
     const double inset_m = corner.inset_m;
-    if (is_pulled_on || inset_m > left_m || 2.0 * inset_m > ahead.length_m) return false;
+    if (is_pulled_on || inset_m > course.left_m || 2.0 * inset_m > ahead.length_m) return false;
     const double end = inset_m * edge.per_length_m;
     const double start = inset_m * ahead.per_length_m;
     at.parameter = is_forward ? 1.0 - end : end;
@@ -257,14 +259,9 @@ bool ContactStep::rest_in_corner() {
 bool ContactStep::lift_off() {
     const Contact& at = first();
     const Edge edge = outlines_.edge(at.segment);
-    const Position pull = handle_ - proxy_.centre;
-    const double pulled_m = dot(pull, edge.along);
-    const bool is_forward = pulled_m > 0.0;
-    const double left_m = (is_forward ? 1.0 - at.parameter : at.parameter) * edge.length_m;
-    const double depth = -dot(pull, at.normal);
-    const double way_m = std::abs(pulled_m) - held_by_friction(settings_.friction, depth);
-    if (!(depth >= 0.0 && way_m > left_m) || !outlines_.is_open(at.segment, is_forward))
-        return false;
+    const Course course = course_on(edge);
+    const bool is_forward = course.is_forward;
+    if (!course.is_past_end() || !outlines_.is_open(at.segment, is_forward)) return false;
     const SegmentRef next = outlines_.next(at.segment, is_forward);
     if (next.piece < 0 || !outlines_.is_alone(next)) return false;
     const double sign = is_forward ? 1.0 : -1.0;
@@ -279,7 +276,7 @@ bool ContactStep::lift_off() {
     // Times the next edge's length.
     const double off_m2 = sign * sign_of(at.side) * cross(after, to_handle);
     if (!(is_long && is_convex && off_m2 > 2.0 * at.offset_m * length_m)) return false;
-    // From here on the handle pulls along the tangent of the arc round the vertex.
+    // The proxy leaves the arc round the vertex where the handle pulls along the tangent.
     const Direction ahead_of = along<Direction>(to_handle, 1.0 / distance_m);
     const Direction left = left_of(ahead_of);
     const double cosine = at.offset_m / distance_m;

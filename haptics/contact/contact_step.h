@@ -63,6 +63,17 @@ class ContactStep {
         std::optional<Contact> contact;
     };
 
+    /// How the handle pulls the proxy along the edge that it touches.
+    struct Course {
+        double pulled_m = 0.0;  // along the edge, with its sign
+        bool is_forward = false;
+        double depth_m = 0.0;  // of the handle behind the proxy's tangent
+        double way_m = 0.0;    // that friction does not hold back
+        double left_m = 0.0;   // to the end ahead
+
+        [[nodiscard]] bool is_past_end() const { return depth_m >= 0.0 && way_m > left_m; }
+    };
+
     /// Where a slide along a contact's edge ends, see go_in_line().
     struct InLine {
         Contact at;
@@ -76,6 +87,7 @@ class ContactStep {
     [[nodiscard]] InLine go_in_line(double way_m);
     [[nodiscard]] bool is_thin(const Contact& at) const;
     [[nodiscard]] bool is_late() const;
+    [[nodiscard]] Course course_on(const Edge& edge);
     bool rest_on_edge();
     bool stride();
     bool rest_in_corner();

@@ -8,8 +8,9 @@
 namespace touchline {
 
 /// The cone: how far along a line a pull may reach and not move what it presses on the line to this
-/// depth, in the unit of the depth.
-[[nodiscard]] inline double held_by_friction(double friction, double depth) {
+/// depth, in the unit of the depth. For one depth or four.
+template <class Number, class Depth>
+[[nodiscard]] Depth held_by_friction(Number friction, Depth depth) {
     return friction * depth;
 }
 

@@ -49,8 +49,8 @@ struct FourEdges {
     const Floats square_m2 = lanes::dot(along, along);
     const Floats slack = (slack_m + rounding * (lanes::length_bounds(to_handle) + length)) * length;
     const Floats depth = -side * lanes::cross(along, to_handle);
-    const Floats ahead =
-        lanes::dot(along, to_handle) - static_cast<float>(pull.friction) * depth - slack;
+    const Floats held = held_by_friction(static_cast<float>(pull.friction), depth);
+    const Floats ahead = lanes::dot(along, to_handle) - held - slack;
     const Masks is_pressed = depth >= slack;
     return {along, square_m2, is_pressed & (ahead > square_m2),
             is_pressed & (ahead > 0.0F) & (square_m2 > least_square_m2)};

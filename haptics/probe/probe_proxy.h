@@ -184,7 +184,7 @@ class ProbeProxy {
     /// The number of pairs kept from step to step.
     [[nodiscard]] std::size_t pairs() const { return front_.size(); }
 
-    /// From the next step on, `path` holds poses of the latest step, beginning with its start, as
+    /// Lets `path` hold poses of the latest step from the next one on, beginning with its start, as
     /// add_way() finds them. nullptr keeps none. For tests: it may allocate.
     void record_path(std::vector<ProbePose>* path) { path_ = path; }
 

@@ -55,7 +55,7 @@ struct Separation {
     Position on_second;
 };
 
-/// Of segments that do not cross, one end is always among the nearest points: finds which by what
+/// One end is always among the nearest points of segments that do not cross: finds which by what
 /// is cheap, then the points. About 60 operations and a root.
 [[nodiscard]] inline Separation separation(const Segment& first, const Segment& second) {
     const Position e = first.b - first.a;

@@ -16,6 +16,7 @@
 #include "tests/app/force/servo/fake_board.h"
 #include "tests/app/force/servo/felt_line.h"
 #include "tests/app/force/servo/mapped_file.h"
+#include "tests/app/force/servo/usb_servo.h"
 #include "tests/haptics/servo/rigs.h"
 
 #include <algorithm>
@@ -143,21 +144,7 @@ int run_kiosk(const std::string& program, const std::string& board_path, const s
 }
 
 int run_usb_kiosk(const std::string& program, const std::vector<std::string>& words) {
-    const UsbDevice device = device_of(words).value();
-    std::vector<std::string> arguments{"usb"};
-    arguments.insert(arguments.end(), words.begin(), words.end());
-    ServoProcessOptions options{program, arguments, [device](const std::string& bus_path) {
-                                    return zero_usb_device(device, bus_path);
-                                }};
-    options.cut_torque = [device](const HeldBoard& held) { return cut_usb_device(device, held); };
-    options.hand_over = [device](const Handover& handover) {
-        UsbDevice next = device;
-        next.handover = handover;
-        std::vector<std::string> more{"usb"};
-        for (const std::string& word : arguments_of(next)) more.push_back(word);
-        return more;
-    };
-    ServoProcess servo(std::move(options));
+    ServoProcess servo(usb_servo(program, device_of(words).value()));
     servo.feel(felt_line(0.045, 1));
     ServoCommands commands;
     commands.contact.mode = Mode::groove;

@@ -72,7 +72,7 @@ void measure_answers() {
     kiosk.stop();
 }
 
-/// From wherever the visitor is to the list of the stick.
+/// Goes from wherever the visitor is to the list of the stick.
 void go_to_stick(RealKiosk& kiosk) {
     while (open_screen(kiosk.kiosk().visit()) != VisitScreen::choose) kiosk.press(KeyRole::back);
     const auto stick = place_of(kiosk.kiosk().screen().items, static_cast<int>(VisitItem::stick));

@@ -11,6 +11,7 @@
 #include "app/force/servo/usb_search.h"
 #include "app/isolation/process/child.h"
 #include "config/types/steady_clock.h"
+#include "tests/app/force/servo/usb_servo.h"
 #include "tests/lab/bench/workload.h"
 #include "tests/machines/sim/board/board_rig.h"
 #include "tests/machines/sim/umockdev/mocked_board.h"
@@ -79,21 +80,7 @@ pid_t servo_of_this_process() {
 }
 
 int run_kiosk(std::size_t edges, const std::vector<std::string>& words) {
-    const UsbDevice device = device_of(words).value();
-    std::vector<std::string> arguments{"usb"};
-    arguments.insert(arguments.end(), words.begin(), words.end());
-    ServoProcessOptions options{
-        TOUCHLINE_SERVO_RIG, arguments,
-        [device](const std::string& bus_path) { return zero_usb_device(device, bus_path); }};
-    options.cut_torque = [device](const HeldBoard& held) { return cut_usb_device(device, held); };
-    options.hand_over = [device](const Handover& handover) {
-        UsbDevice next = device;
-        next.handover = handover;
-        std::vector<std::string> more{"usb"};
-        for (const std::string& word : arguments_of(next)) more.push_back(word);
-        return more;
-    };
-    ServoProcess servo(std::move(options));
+    ServoProcess servo(usb_servo(TOUCHLINE_SERVO_RIG, device_of(words).value()));
     servo.feel(picture_of(edges));
     ServoCommands commands;
     commands.has_frame = false;  // home lies beyond the drawing area

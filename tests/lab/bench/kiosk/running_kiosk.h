@@ -18,7 +18,7 @@ class RunningKiosk : private Pinned {
     /// Asks it to end, and waits for it.
     ~RunningKiosk();
 
-    /// From its start until its first frame is shown: the screen that waits for a visitor.
+    /// Seconds until its first frame was shown: the screen that waits for a visitor.
     [[nodiscard]] double start_s() const { return start_s_; }
 
     [[nodiscard]] pid_t pid() const { return child_.pid(); }
