@@ -22,7 +22,7 @@ struct AttractPicture {
 /// Its lines as a hand feels them. Fails as build_scene(). O(segments of the map).
 [[nodiscard]] Result<AttractPicture> attract_picture(const TactileMap& map);
 
-/// A hand that follows the line for ever, `now_s` after it began, in four steps a second; at rest
+/// A hand that follows the line for ever, `now_s` after it began, a step a second; at rest
 /// without a line. O(segments of the line).
 [[nodiscard]] HandState attract_hand(const AttractPicture& picture, double now_s);
 

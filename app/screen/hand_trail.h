@@ -17,10 +17,10 @@ class HandTrail {
 
     void clear() { places_.clear(); }
 
-    /// Adds a line of some hundred strokes at most, fainter the older it is. It fades in steps of a
-    /// quarter of a second.
-    void add_to(Strokes& strokes, const View& view, std::int64_t now_ns, double width_px,
-                Colour colour) const;
+    /// Adds a line of some hundred strokes at most, fainter the older it is, with a gap where the
+    /// hand jumped. It fades with each new place, and every 1.5 s while the hand rests: each change
+    /// is a frame.
+    void add_to(Strokes& strokes, const View& view, double width_px, Colour colour) const;
 
   private:
     struct Place {
@@ -29,6 +29,7 @@ class HandTrail {
     };
 
     std::deque<Place> places_;
+    std::int64_t faded_ns_ = 0;  // ages are as of then
 };
 
 }  // namespace touchline

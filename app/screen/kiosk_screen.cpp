@@ -14,7 +14,7 @@ namespace touchline {
 namespace {
 
 constexpr double least_level_change = 1.0 / 32.0;          // less moves no line by a pixel
-constexpr std::int64_t longest_unseen_ns = 1'000'000'000;  // whatever took the display's pixels
+constexpr std::int64_t longest_unseen_ns = 2'000'000'000;  // whatever took the display's pixels
 
 /// The width of a thin line beside capitals of this height.
 double unit_px(double cap_px) {
@@ -126,7 +126,7 @@ bool KioskScreen::update_hand(const HandState& hand, std::int64_t now_ns) {
     const double line_px = unit_px(cap_px_);
     trail_.add(hand.p_WH, now_ns);
     strokes_.clear();
-    trail_.add_to(strokes_, layers_.view(), now_ns, 3.0 * line_px, palette.proxy);
+    trail_.add_to(strokes_, layers_.view(), 3.0 * line_px, palette.proxy);
     add_hand(strokes_, layers_.view(), hand, proxy_radius_m, line_px, palette);
     return hand_.upload(strokes_);
 }

@@ -22,8 +22,8 @@ class KioskScreen {
     [[nodiscard]] static Result<KioskScreen> make(double cap_px);
 
     /// Draws one frame of any screen, in a window of this size (px), and returns true; draws
-    /// nothing and returns false if it would look like the one drawn last, which is less than a
-    /// second old. Its contents change at most twice a second, except the handle's marker
+    /// nothing and returns false if it would look like the one drawn last, which is less than
+    /// two seconds old. Its contents change at most twice a second, except the handle's marker
     /// (screen_layers.h). `now_ns` never goes back.
     [[nodiscard]] bool draw(const ScreenContent& content, int width_px, int height_px,
                             std::int64_t now_ns);

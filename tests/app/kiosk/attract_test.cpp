@@ -28,7 +28,7 @@ TEST(Attract, AHandFollowsTheLineRoundAndRound) {
         const HandState hand = attract_hand(*picture, frame / 60.0);
         EXPECT_NEAR(norm(hand.p_WP), 0.03, 1e-4);
         EXPECT_NEAR(norm(hand.p_WH - hand.p_WP), 0.001, 1e-6);
-        EXPECT_LT(norm(hand.p_WP - last), 0.0076);  // a step, and no more
+        EXPECT_LT(norm(hand.p_WP - last), 0.0201);  // a step, and no more
         way_m += norm(hand.p_WP - last);
         last = hand.p_WP;
     }
@@ -36,7 +36,7 @@ TEST(Attract, AHandFollowsTheLineRoundAndRound) {
 }
 
 /// Each step is a frame.
-TEST(Attract, AHandMovesFourTimesASecond) {
+TEST(Attract, AHandMovesOnceASecond) {
     const auto picture = attract_picture(circle_of(0.03));
     ASSERT_TRUE(picture.has_value());
     int steps = 0;
@@ -44,7 +44,7 @@ TEST(Attract, AHandMovesFourTimesASecond) {
         const Position before = attract_hand(*picture, (frame - 1) / 60.0).p_WP;
         steps += attract_hand(*picture, frame / 60.0).p_WP == before ? 0 : 1;
     }
-    EXPECT_EQ(steps, 4);
+    EXPECT_EQ(steps, 1);
 }
 
 TEST(Attract, WithoutALineTheHandRests) {
