@@ -9,7 +9,8 @@ namespace touchline {
 namespace {
 
 constexpr double hand_m_per_s = 0.02;
-constexpr double hand_step_s = 1.0;  // each is a frame, and a frame is what a waiting kiosk pays for
+constexpr double hand_step_s =
+    1.0;  // each is a frame, and a frame is what a waiting kiosk pays for
 constexpr double pressed_m = 0.001;  // past the line
 constexpr double stiffness_N_per_m = 500.0;
 

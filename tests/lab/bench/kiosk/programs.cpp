@@ -31,6 +31,7 @@ namespace {
 constexpr int stretches = 21;
 constexpr double stretch_s = 2.0;
 constexpr double frame_s = 1.0 / 60.0;
+constexpr double longest_rest_s = 35.0;  // then all parts that rest do (sound, after 30 s)
 
 double at_share(std::vector<double> values, double share) {
     std::ranges::sort(values);
@@ -128,7 +129,7 @@ void measure_use(const char* name, pid_t kiosk, int width_px, int height_px,
 
 int measure_use(const std::string& program, int width_px, int height_px) {
     const RunningKiosk kiosk(program);
-    sleep_s(5.0);
+    sleep_s(longest_rest_s);
     measure_use("idle", kiosk.pid(), width_px, height_px, [] { sleep_s(stretch_s); });
     Hand::press("Return Return Return");  // begins, in English, with the practice shape
     Hand hand(width_px, height_px);

@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 namespace touchline {
 namespace {
 
@@ -118,11 +120,18 @@ double RealKiosk::felt_after_ms(KeyRole role) {
     const std::uint64_t before = servo_->latest().map_version;
     const std::int64_t pressed_ns = steady_now_ns();
     kiosk_->press(role);
-    (void)wait_until([&] {
+    const bool is_felt = wait_until([&] {
         const bool is_new = servo_->latest().map_version != before;
         const ForceState state = servo_->force_status().state;
         return is_new && (state == ForceState::ramp || state == ForceState::live);
     });
+    if (!is_felt) {
+        const ForceStatus force = servo_->force_status();
+        fmt::print(stderr, "no force: state {}, fault {}, {} picture; the screen: {}\n",
+                   static_cast<int>(force.state), static_cast<int>(force.fault),
+                   servo_->latest().map_version == before ? "the old" : "the new",
+                   kiosk_->screen().title);
+    }
     return 1e-6 * static_cast<double>(steady_now_ns() - pressed_ns);
 }
 
