@@ -49,12 +49,12 @@ bool is_too_large(const TactileMap& map) {
 }
 
 constexpr std::uint32_t magic = 0x504d4c54;  // "TLMP"
-constexpr std::uint32_t layout = 2;
+constexpr std::uint32_t layout = 3;
 constexpr std::size_t outline_bytes = 25;  // without points and texts
 constexpr std::size_t label_bytes = 20;
 
 /// A sound map has no more: what is read of others, too, stays small.
-constexpr std::size_t most_bytes = 48 + MapLimits::outlines * outline_bytes +
+constexpr std::size_t most_bytes = 56 + MapLimits::outlines * outline_bytes +
                                    MapLimits::labels * label_bytes +
                                    MapLimits::points * sizeof(Position) + MapLimits::text_bytes;
 
@@ -67,6 +67,7 @@ void map_fields(Fields& f, Map& map) {
     f.number(map.area.width_m);
     f.number(map.area.height_m);
     f.number(map.version);
+    f.number(map.drawing);
     f.template text<std::uint32_t>(map.title);
     f.template text<std::uint32_t>(map.description);
 }

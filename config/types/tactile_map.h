@@ -41,6 +41,7 @@ struct TactileMap {
     std::string title;
     std::string description;
     std::uint64_t version = 0;  // changes with every new map; nothing mixes versions
+    std::uint64_t drawing = 0;  // maps of one drawing that grows line by line share it; 0: none
 };
 
 }  // namespace touchline

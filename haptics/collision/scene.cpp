@@ -94,7 +94,8 @@ constexpr int most_builds = 2;  // pins move what is unsafe; what is left after 
 Scene scene_of(CurveSet curves, CollisionTree tree, const TactileMap& map) {
     const int percept = percept_level(curves);
     std::vector<Leg> legs = legs_of(curves, tree, map.labels);
-    return {std::move(curves), std::move(tree), map.area, map.version, percept, std::move(legs)};
+    return {std::move(curves), std::move(tree), map.area,   map.version,
+            percept,           std::move(legs), map.drawing};
 }
 
 }  // namespace

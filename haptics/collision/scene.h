@@ -39,6 +39,7 @@ struct Scene {
     std::uint64_t map_version = 0;
     int percept_level = 0;  // curve level (level_error.h) from which no finer one can be told apart
     std::vector<Leg> legs = {};  // of all outlines, in the map's order
+    std::uint64_t drawing = 0;   // as the map's
 };
 
 /// O(N log N). `radius_m` >= 0 is the largest proxy radius that will be used on this scene; it

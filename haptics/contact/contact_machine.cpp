@@ -83,6 +83,13 @@ void ContactMachine::reset(const Scene& scene, Position handle, double level) {
     start_free(handle);
 }
 
+void ContactMachine::move_to(const Scene& scene) {
+    outlines_ = RenderedOutlines(scene, bounded(scene, outlines_.level()));
+    const Position handle = handle_;
+    start_free(proxy_.centre);
+    handle_ = handle;
+}
+
 void ContactMachine::start_free(Position handle) {
     proxy_ = {};
     proxy_.centre = handle;

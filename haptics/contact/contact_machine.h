@@ -160,6 +160,11 @@ class ContactMachine {
     /// `scene`, which must outlive that use.
     void reset(const Scene& scene, Position handle, double level);
 
+    /// Continues among the lines of `scene`, with the proxy where it is, free, at the level that is
+    /// rendered as far as the scene has it; the next step finds the line again that held it. The
+    /// machine uses `scene`, which must outlive that use.
+    void move_to(const Scene& scene);
+
     /// Advances one tick of `dt_s` > 0. First the rendered level moves towards `level`. If the
     /// proxy is free and outside all boxes of the coarser of both levels, it moves there at once;
     /// else by at most half an octave and 0.015 N a tick, as a motion of the wall that takes the

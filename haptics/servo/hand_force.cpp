@@ -36,7 +36,7 @@ WantedForce HandForce::step(const StepInput& input, const HandleReading& handle,
     if (!handle.pose) return wanted;
     const ProbePose pose{handle.p_WH.x, handle.p_WH.y, handle.angle_rad};
     rendering_.measure_speed(pose, handle.dt_s);
-    follow_wishes(input, pose, loop.is_silent);
+    follow_wishes(input.commands, scene_for(input, pose, loop), pose, loop.is_silent);
     bound_level(input.commands);
     wanted.active = lead(input, handle, loop);
     ramp_stiffness(input.commands.contact.stiffness_N_per_m, handle, loop);
@@ -53,22 +53,36 @@ void HandForce::bound_level(const ServoCommands& commands) {
 }
 
 /// A hand that is led holds a point, because lines must not stop it.
-void HandForce::follow_wishes(const StepInput& input, const ProbePose& handle, bool is_silent) {
-    const ServoCommands& commands = input.commands;
-    const bool may_hold = hand_ != nullptr && input.scene != nullptr && !is_led();
+void HandForce::follow_wishes(const ServoCommands& commands, const Scene* scene,
+                              const ProbePose& handle, bool is_silent) {
+    const bool may_hold = hand_ != nullptr && scene != nullptr && !is_led();
     const Felt wanted{commands.contact.radius_m, commands.contact.capture_m,
                       may_hold ? commands.shape : HeldShape::none};
-    const bool is_other_scene = input.scene != rendering_.scene();
+    const bool is_other_scene = scene != rendering_.scene();
     is_swapping_ = is_other_scene || wanted != felt_;
     if (!is_swapping_ || !is_silent) return;
     if (is_other_scene) guidance_.leave_scene();
     felt_ = wanted;
     detector_.reset();
-    rendering_.begin(input.scene, felt_.radius_m,
-                     may_hold ? hand_->probe(felt_.shape) : HeldProbe{});
-    if (input.scene == nullptr) return;
+    rendering_.begin(scene, felt_.radius_m, may_hold ? hand_->probe(felt_.shape) : HeldProbe{});
+    if (scene == nullptr) return;
     bound_level(commands);
     rendering_.place(handle, rendering_.level());
+}
+
+/// The wanted one; but the next map of the drawing that is felt waits until the hand cannot tell.
+const Scene* HandForce::scene_for(const StepInput& input, const ProbePose& handle,
+                                  const LoopState& loop) {
+    const Scene* felt = rendering_.scene();
+    const Scene* next = input.scene;
+    const bool is_one_drawing = felt != nullptr && next != nullptr && next != felt &&
+                                next->drawing != 0 && next->drawing == felt->drawing &&
+                                next->area == felt->area;
+    if (!is_one_drawing || loop.is_silent || rendering_.holds_shape()) return next;
+    const ContactSettings settings = settings_of(input.commands, loop.spring_gain);
+    if (is_led() || !rendering_.follow(*next, handle, settings, budget_)) return felt;
+    guidance_.leave_scene();
+    return next;
 }
 
 /// Adds what pushes by itself, in a tick with a pose; a held shape has been put down before.
@@ -97,13 +111,18 @@ void HandForce::render(const ServoCommands& commands, const ProbePose& handle,
         mode_ = rendering_.holds_shape() ? Mode::wall : points_mode;
         share_lines(commands.contact.capture_m, loop.period_s);
     }
+    (void)rendering_.step(handle, rendering_.level(), settings_of(commands, loop.spring_gain),
+                          budget_, loop.period_s);
+}
+
+ContactSettings HandForce::settings_of(const ServoCommands& commands, double spring_gain) const {
     ContactSettings settings = commands.contact;
     settings.mode = mode_;
     settings.stiffness_N_per_m = stiffness_N_per_m();
     settings.radius_m = felt_.radius_m;
     settings.capture_m = felt_.capture_m;
-    settings.pop_through_N /= loop.spring_gain;
-    (void)rendering_.step(handle, rendering_.level(), settings, budget_, loop.period_s);
+    settings.pop_through_N /= spring_gain;
+    return settings;
 }
 
 /// The hand is led across lines too, so they must not hold it back, nor keep force from coming on

@@ -48,7 +48,9 @@ class HandForce {
     void lend(ShapeInHand* hand) { hand_ = hand; }
 
     /// Advances one tick: level -> contact -> damping -> frame, guidance, pattern. Another scene,
-    /// proxy radius, capture width or shape waits until no force acts. Does nothing without a pose.
+    /// proxy radius, capture width or shape waits until no force acts; the next map of the drawing
+    /// that is felt comes in at full force, as soon as the hand cannot tell. Does nothing without a
+    /// pose.
     [[nodiscard]] WantedForce step(const StepInput& input, const HandleReading& handle,
                                    const LoopState& loop);
 
@@ -84,7 +86,12 @@ class HandForce {
         friend bool operator==(const Felt&, const Felt&) = default;
     };
 
-    void follow_wishes(const StepInput& input, const ProbePose& handle, bool is_silent);
+    [[nodiscard]] const Scene* scene_for(const StepInput& input, const ProbePose& handle,
+                                         const LoopState& loop);
+    void follow_wishes(const ServoCommands& commands, const Scene* scene, const ProbePose& handle,
+                       bool is_silent);
+    [[nodiscard]] ContactSettings settings_of(const ServoCommands& commands,
+                                              double spring_gain) const;
     void bound_level(const ServoCommands& commands);
     void ramp_stiffness(double set_N_per_m, const HandleReading& handle, const LoopState& loop);
     [[nodiscard]] Force lead(const StepInput& input, const HandleReading& handle,

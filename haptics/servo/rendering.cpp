@@ -5,6 +5,9 @@
 namespace touchline {
 namespace {
 
+// What a change of the lines may do to a hand in one tick.
+constexpr double unfelt_N = 0.02;
+constexpr double unfelt_J = 1e-6;
 constexpr double least_carried_m = 1e-9;  // a remainder below this is rounding, not lack of time
 
 LevelLimits limits_of_device(const DeviceProfile& profile) {
@@ -38,15 +41,37 @@ void Rendering::begin(const Scene* scene, double radius_m, const HeldProbe& prob
     probe_ = probe;
     rendered_ = {};
     if (scene == nullptr) return;
-    limits_.spacing_m = scene->curves.finest_spacing_m();
-    limits_.radius_m = radius_m;
-    if (holds_shape()) {
-        limits_.radius_m = probe.shape->radius_m();
-        shape_speed_ = ShapeSpeed(probe.shape->r_max_m());
-    }
-    limits_.percept = scene->percept_level;
-    limits_.safe = scene->curves.coarsest();
+    if (holds_shape()) shape_speed_ = ShapeSpeed(probe.shape->r_max_m());
+    take(*scene, holds_shape() ? probe.shape->radius_m() : radius_m);
     cost_ = CostTerm(period_s_);
+}
+
+void Rendering::take(const Scene& scene, double radius_m) {
+    limits_.spacing_m = scene.curves.finest_spacing_m();
+    limits_.radius_m = radius_m;
+    limits_.percept = scene.percept_level;
+    limits_.safe = scene.curves.coarsest();
+}
+
+bool Rendering::follow(const Scene& scene, const ProbePose& handle, const ContactSettings& settings,
+                       const Budget& budget) {
+    if (holds_shape()) return false;
+    const auto felt_by = [&](ContactMachine machine) {
+        return machine.step(handle.place(), rendered_level(), settings, budget, period_s_);
+    };
+    ContactMachine moved = contact_;
+    moved.move_to(scene);
+    const ContactReport before = felt_by(contact_);
+    const ContactReport after = felt_by(moved);
+    // Every comparison is written so that NaN fails it.
+    const bool is_same = before.state == after.state && before.outline == after.outline &&
+                         norm(after.force - before.force) <= unfelt_N &&
+                         after.stored_J - before.stored_J <= unfelt_J;
+    if (!is_same) return false;
+    scene_ = &scene;
+    contact_ = moved;
+    take(scene, limits_.radius_m);
+    return true;
 }
 
 void Rendering::place(const ProbePose& handle, double level) {

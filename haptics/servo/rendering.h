@@ -54,6 +54,12 @@ class Rendering {
     /// `probe`. All must outlive their use. Then call bound_level() and place().
     void begin(const Scene* scene, double radius_m, const HeldProbe& probe);
 
+    /// Goes on with `scene`, a map of the same drawing, if its lines push the handle as those
+    /// before do; else changes nothing and returns false, also where a shape is held. Costs the
+    /// steps of three ticks. `scene` must outlive its use.
+    [[nodiscard]] bool follow(const Scene& scene, const ProbePose& handle,
+                              const ContactSettings& settings, const Budget& budget);
+
     /// Places the proxy at the handle: free, or a shape not placed yet.
     void place(const ProbePose& handle, double level);
 
@@ -95,6 +101,7 @@ class Rendering {
     [[nodiscard]] bool rebind(const Scene* scene);
 
   private:
+    void take(const Scene& scene, double radius_m);
     void feel_shape(const ProbePose& handle, double level, double stiffness_N_per_m,
                     const Budget& budget, double dt_s);
 

@@ -106,6 +106,11 @@ ShippedLoop loop_of(const ScenarioCase& each) {
             return scenario.level(std::max(0.0, t_s - armed_s));
         };
     }
+    if (scenario.scene_at) {
+        loop.scene_at = [&scenario](double t_s) {
+            return scenario.scene_at(std::max(0.0, t_s - armed_s));
+        };
+    }
     return loop;
 }
 

@@ -28,6 +28,7 @@ class ShippedStep final : public LoopController {
         input_.missed_ticks = input.missed_ticks;
         input_.angles = input.angles;
         input_.commands.level = input.level;
+        if (input.scene != nullptr) input_.scene = input.scene;
         const JointTorques torques = servo_.step(input_);
         const HandState& hand = servo_.report().hand;
         return {torques, hand.force, hand.p_WP, hand.spring_gain, hand.stiffness_N_per_m};

@@ -19,7 +19,8 @@ struct ControlInput {
     double time_s = 0.0;
     std::uint64_t missed_ticks = 0;
     std::optional<JointAngles> angles;
-    double level = 0.0;  // wanted
+    double level = 0.0;            // wanted
+    const Scene* scene = nullptr;  // felt; null: the one that the controller was made for
 };
 
 struct ControlOutput {

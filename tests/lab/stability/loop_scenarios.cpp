@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <memory>
 #include <numbers>
 
 #include <fmt/core.h>
@@ -22,11 +24,15 @@ bool is_below(Position, Position to) {
     return to.y < -1e-7;
 }
 
-LoopScenario made(Torture torture, double radius_m = 0.0,
-                  std::function<double(double)> level = {}) {
+Scene scene_of(const std::vector<Polyline>& lines, double radius_m = 0.0) {
     CurveOptions whole_edges;
     whole_edges.spacing_m = 1.0;
-    Scene scene = scenarios::scene_of(torture.lines, radius_m, whole_edges);
+    return scenarios::scene_of(lines, radius_m, whole_edges);
+}
+
+LoopScenario made(Torture torture, double radius_m = 0.0,
+                  std::function<double(double)> level = {}) {
+    Scene scene = scene_of(torture.lines, radius_m);
     return {std::move(torture), std::move(scene), radius_m, std::move(level)};
 }
 
@@ -190,6 +196,24 @@ Torture tremor(double frequency_Hz, double amplitude_mm) {
             is_below};
 }
 
+/// A line more every 50 ms, each second one across the line that the hand goes along.
+LoopScenario growing_drawing() {
+    LoopScenario scenario = made(flat("a drawing that grows", "20 lines", {flat_line()}, {}));
+    auto maps = std::make_shared<std::vector<Scene>>();
+    std::vector<Polyline> lines{flat_line()};
+    for (int i = 0; i < 20; ++i) {
+        maps->push_back(scene_of(lines));
+        maps->back().map_version = static_cast<std::uint64_t>(i) + 1;
+        maps->back().drawing = 1;
+        const double x_mm = -40.0 + 4.0 * i;
+        lines.push_back({{{x_mm, i % 2 == 0 ? 3.0 : -20.0}, {x_mm + 3.0, 20.0}}});
+    }
+    scenario.scene_at = [maps](double t_s) {
+        return &(*maps)[std::min(static_cast<std::size_t>(t_s / 0.05), maps->size() - 1)];
+    };
+    return scenario;
+}
+
 std::vector<LoopScenario> all_scenarios() {
     std::vector<LoopScenario> all;
     for (const Torture& torture : bench::tortures()) all.push_back(made(torture));
@@ -213,6 +237,7 @@ std::vector<LoopScenario> all_scenarios() {
     all.push_back(made(tremor(7.0, 0.18)));
     all.push_back(made(tremor(5.0, 5.0)));
     all.push_back(made(tremor(5.0, 10.0)));
+    all.push_back(growing_drawing());
     return all;
 }
 

@@ -73,6 +73,7 @@ LoopTrace run(const ShippedLoop& loop, LoopController& controller,
         input.time_s = static_cast<double>(tick) * loop.period_s;
         input.angles = device.read_angles(input.time_s);
         input.level = loop.level ? loop.level(input.time_s) : 0.0;
+        if (loop.scene_at) input.scene = loop.scene_at(input.time_s);
         const ControlOutput output = controller.step(input);
         (void)device.write_torques(disturbed(output.torques, loop.faults, tick));
         trace.time_s.push_back(input.time_s);

@@ -39,9 +39,10 @@ struct ShippedLoop {
     double delay_s = 0.0;  // transport, unseen by the servo
     HandModel hand;
     Faults faults;
-    double stiffness_N_per_m = 500.0;           // asked for; the servo limits it
-    double radius_m = 0.0;                      // of the proxy
-    std::function<double(double t_s)> level{};  // wanted; without one 0
+    double stiffness_N_per_m = 500.0;                    // asked for; the servo limits it
+    double radius_m = 0.0;                               // of the proxy
+    std::function<double(double t_s)> level{};           // wanted; without one 0
+    std::function<const Scene*(double t_s)> scene_at{};  // felt; without one the controller's
 };
 
 /// One value per tick that took place.
