@@ -25,6 +25,9 @@ enum class PaletteName : std::uint8_t {
     low_glare_grey
 };
 
+/// How a braille line is written; off: no line is looked for.
+enum class BrailleUse : std::uint8_t { off, uncontracted, contracted };
+
 /// The language in which a text is wanted, tagged as BCP 47 and SVG's xml:lang do: "en", "de",
 /// "pt-BR". Any text is a tag: a language without texts gets what exists. Empty means English. The
 /// tag comes from the person who chose a language, never from the process's locale.
