@@ -1,0 +1,317 @@
+#include "app/sheets/label_places.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace touchline {
+namespace {
+
+constexpr double lattice_mm = 2.0;
+constexpr double half_diagonal_mm = 1.42;  // of a square of the lattice
+constexpr double leader_half_mm = thin_line_mm / 2.0;
+constexpr double leader_step_mm = 0.4;
+constexpr double steepest_mm = 7.5;       // way of a leader from its line until it is clear of it
+constexpr double least_start_mm = 5.0;    // piece of a leader at its line
+constexpr double least_stretch_mm = 4.0;  // and any other
+constexpr double longest_mm = 110.0;
+constexpr int most_breaks = 2;
+constexpr double spot_mm = 3.0;  // the dot at a place without a line
+constexpr int most_tries = 4;
+constexpr int most_ways = 400;            // leaders that are judged for one label
+constexpr std::size_t tried_anchors = 4;  // of one place for a label: the nearest
+constexpr double label_reach_mm = 9.0;
+
+// What counts as a longer leader.
+constexpr double of_break_mm = 40.0;
+constexpr double of_inside_mm = 25.0;
+constexpr double of_row_mm = 2.0;
+constexpr double of_place_mm = 30.0;  // for a place, a label that does not lie upon it
+
+bool is_inside(const SheetStroke& ring, PaperPoint p) {
+    bool inside = false;
+    for (std::size_t i = 0, j = ring.points.size() - 1; i < ring.points.size(); j = i++) {
+        const PaperPoint a = ring.points[i];
+        const PaperPoint b = ring.points[j];
+        if ((a.y_mm > p.y_mm) == (b.y_mm > p.y_mm)) continue;
+        const double x = a.x_mm + (p.y_mm - a.y_mm) / (b.y_mm - a.y_mm) * (b.x_mm - a.x_mm);
+        if (p.x_mm < x) inside = !inside;
+    }
+    return inside;
+}
+
+/// Which points of a lattice over the zone are too near to a line for braille.
+class FreeLattice {
+  public:
+    FreeLattice(const StrokeGrid& grid, const PaperBox& zone)
+        : zone_(zone),
+          columns_(1 + static_cast<std::size_t>(std::max(0.0, zone.width_mm()) / lattice_mm)),
+          rows_(1 + static_cast<std::size_t>(std::max(0.0, zone.height_mm()) / lattice_mm)),
+          sums_((columns_ + 1) * (rows_ + 1), 0) {
+        for (std::size_t y = 0; y < rows_; ++y)
+            for (std::size_t x = 0; x < columns_; ++x) {
+                const bool is_taken =
+                    grid.near(corner(x, y)).clear_mm < least_clear_mm + half_diagonal_mm;
+                sums_[at(x + 1, y + 1)] = sums_[at(x, y + 1)] + sums_[at(x + 1, y)] -
+                                          sums_[at(x, y)] + (is_taken ? 1 : 0);
+            }
+    }
+
+    /// Calls `visit` with every free box of this size.
+    template <class Visit>
+    void each_box(double width_mm, double height_mm, const Visit& visit) const {
+        const auto wide = static_cast<std::size_t>(std::ceil(width_mm / lattice_mm));
+        const auto high = static_cast<std::size_t>(std::ceil(height_mm / lattice_mm));
+        for (std::size_t y = 0; y + high < rows_; y += 2)
+            for (std::size_t x = 0; x + wide < columns_; x += 2) {
+                const int taken = sums_[at(x + wide + 1, y + high + 1)] -
+                                  sums_[at(x, y + high + 1)] - sums_[at(x + wide + 1, y)] +
+                                  sums_[at(x, y)];
+                if (taken != 0) continue;
+                const PaperPoint from = corner(x, y);
+                visit(PaperBox{from.x_mm, from.y_mm, from.x_mm + width_mm, from.y_mm + height_mm});
+            }
+    }
+
+  private:
+    [[nodiscard]] std::size_t at(std::size_t x, std::size_t y) const {
+        return y * (columns_ + 1) + x;
+    }
+
+    [[nodiscard]] PaperPoint corner(std::size_t x, std::size_t y) const {
+        return {zone_.left_mm + lattice_mm * static_cast<double>(x),
+                zone_.top_mm + lattice_mm * static_cast<double>(y)};
+    }
+
+    PaperBox zone_;
+    std::size_t columns_;
+    std::size_t rows_;
+    std::vector<int> sums_;  // of the taken points above and to the left
+};
+
+/// A place for a label that has not been judged wholly yet.
+struct Candidate {
+    double least_cost = 0.0;
+    PaperBox box;
+    std::size_t shape = 0;
+};
+
+struct Chosen {
+    PlacedLabel label;
+    PaperBox box;
+    double cost = std::numeric_limits<double>::infinity();
+};
+
+class Placer {
+  public:
+    Placer(const std::vector<WantedLabel>& wanted, const std::vector<SheetStroke>& lines,
+           PaperSize page, const PaperBox& zone)
+        : wanted_(wanted), lines_(lines), grid_(page, label_reach_mm) {
+        for (const SheetStroke& line : lines) grid_.add(line);
+        const FreeLattice lattice(grid_, zone);
+        for (const WantedLabel& label : wanted) candidates_.push_back(candidates(label, lattice));
+    }
+
+    [[nodiscard]] LabelPlan place(const std::vector<std::size_t>& order) const {
+        LabelPlan plan;
+        Taken taken;
+        for (const std::size_t i : order) {
+            Chosen chosen = best_for(i, taken);
+            if (std::isinf(chosen.cost)) {
+                plan.without_room.push_back(wanted_[i].part);
+                continue;
+            }
+            taken.boxes.push_back(chosen.box);
+            for (const SheetStroke& piece : chosen.label.leader) taken.leaders.push_back(piece);
+            plan.placed.push_back(std::move(chosen.label));
+        }
+        return plan;
+    }
+
+  private:
+    struct Taken {
+        std::vector<PaperBox> boxes;
+        std::vector<SheetStroke> leaders;
+    };
+
+    [[nodiscard]] bool is_inside_any(PaperPoint p) const {
+        return std::ranges::any_of(
+            lines_, [p](const SheetStroke& line) { return line.is_closed && is_inside(line, p); });
+    }
+
+    static bool is_free(const PaperBox& box, const Taken& taken) {
+        const bool meets_box = std::ranges::any_of(taken.boxes, [&box](const PaperBox& other) {
+            const double x = std::max(other.left_mm - box.right_mm, box.left_mm - other.right_mm);
+            const double y = std::max(other.top_mm - box.bottom_mm, box.top_mm - other.bottom_mm);
+            return std::max(x, y) < braille_label_mm;
+        });
+        return !meets_box && std::ranges::none_of(taken.leaders, [&](const SheetStroke& piece) {
+            return segment_distance_mm(piece.points.front(), piece.points.back(), box) <
+                   least_clear_mm + piece.width_mm / 2.0;
+        });
+    }
+
+    static bool is_free(PaperPoint from, PaperPoint to, const Taken& taken) {
+        const bool meets_box = std::ranges::any_of(taken.boxes, [&](const PaperBox& other) {
+            return segment_distance_mm(from, to, other) < least_clear_mm + leader_half_mm;
+        });
+        return !meets_box && std::ranges::none_of(taken.leaders, [&](const SheetStroke& piece) {
+            return segments_distance_mm(from, to, piece.points.front(), piece.points.back()) <
+                   least_clear_mm + leader_half_mm + piece.width_mm / 2.0;
+        });
+    }
+
+    static std::vector<Candidate> candidates(const WantedLabel& wanted,
+                                             const FreeLattice& lattice) {
+        std::vector<Candidate> found;
+        for (std::size_t s = 0; s < wanted.shapes.size(); ++s) {
+            std::size_t cells = 1;
+            for (const BrailleCells& line : wanted.shapes[s]) cells = std::max(cells, line.size());
+            const std::size_t rows = wanted.shapes[s].size();
+            const double more_mm = of_row_mm * static_cast<double>(rows - 1);
+            lattice.each_box(braille_width_mm(cells), braille_height_mm(rows),
+                             [&](const PaperBox& box) {
+                                 double least = longest_mm;
+                                 for (const PaperPoint& anchor : wanted.anchors)
+                                     least = std::min(least, distance_mm(box, anchor));
+                                 if (least < longest_mm) found.push_back({least + more_mm, box, s});
+                             });
+        }
+        std::ranges::sort(found, {}, &Candidate::least_cost);
+        return found;
+    }
+
+    /// The anchors nearest to the box, the nearest first.
+    static std::vector<PaperPoint> near_anchors(const WantedLabel& wanted, const PaperBox& box) {
+        std::vector<PaperPoint> anchors = wanted.anchors;
+        const auto count = static_cast<std::ptrdiff_t>(std::min(anchors.size(), tried_anchors));
+        std::ranges::partial_sort(anchors, anchors.begin() + count, {},
+                                  [&box](PaperPoint p) { return distance_mm(box, p); });
+        anchors.resize(static_cast<std::size_t>(count));
+        return anchors;
+    }
+
+    [[nodiscard]] Chosen best_for(std::size_t label, const Taken& taken) const {
+        const WantedLabel& wanted = wanted_[label];
+        Chosen best;
+        int ways_left = most_ways;
+        for (const Candidate& candidate : candidates_[label]) {
+            if (candidate.least_cost >= best.cost || ways_left <= 0) break;
+            if (!is_free(candidate.box, taken)) continue;
+            const PaperPoint middle{(candidate.box.left_mm + candidate.box.right_mm) / 2.0,
+                                    (candidate.box.top_mm + candidate.box.bottom_mm) / 2.0};
+            if (wanted.is_place && distance_mm(candidate.box, wanted.anchors.front()) <= 0.0) {
+                const double cost = distance_mm(middle, wanted.anchors.front());
+                if (cost < best.cost) best = chosen(wanted, candidate, cost, {});
+                continue;
+            }
+            const double more_mm = (is_inside_any(middle) ? of_inside_mm : 0.0) +
+                                   (wanted.is_place ? of_place_mm : 0.0);
+            for (const PaperPoint& anchor : near_anchors(wanted, candidate.box))
+                try_leader(wanted, candidate, anchor, more_mm, taken, ways_left, best);
+        }
+        return best;
+    }
+
+    void try_leader(const WantedLabel& wanted, const Candidate& candidate, PaperPoint anchor,
+                    double more_mm, const Taken& taken, int& ways_left, Chosen& best) const {
+        const PaperBox rim = grown(candidate.box, least_clear_mm + leader_half_mm);
+        const PaperPoint port{std::clamp(anchor.x_mm, rim.left_mm, rim.right_mm),
+                              std::clamp(anchor.y_mm, rim.top_mm, rim.bottom_mm)};
+        const double length = distance_mm(anchor, port);
+        const double rows = static_cast<double>(wanted.shapes[candidate.shape].size());
+        const double cost = length + more_mm + of_row_mm * (rows - 1.0);
+        if (length < least_start_mm || cost >= best.cost) return;
+        if (!is_free(anchor, port, taken)) return;
+        --ways_left;
+        auto way = leader_way(anchor, port, grid_);
+        if (!way || cost + of_break_mm * way->breaks >= best.cost) return;
+        if (wanted.is_place && grid_.near(anchor).clear_mm > least_clear_mm + spot_mm / 2.0)
+            way->pieces.insert(way->pieces.begin(),
+                               {{anchor}, false, spot_mm, StrokeUse::leader, 0});
+        best = chosen(wanted, candidate, cost + of_break_mm * way->breaks, std::move(way->pieces));
+    }
+
+    static Chosen chosen(const WantedLabel& wanted, const Candidate& candidate, double cost,
+                         std::vector<SheetStroke> leader) {
+        Chosen made{{wanted.part, {}, std::move(leader)}, candidate.box, cost};
+        const double half_mm = braille_dot_mm / 2.0;
+        PaperPoint first{candidate.box.left_mm + half_mm, candidate.box.top_mm + half_mm};
+        for (const BrailleCells& line : wanted.shapes[candidate.shape]) {
+            made.label.rows.push_back({first, line});
+            first.y_mm += braille_line_mm;
+        }
+        return made;
+    }
+
+    const std::vector<WantedLabel>& wanted_;
+    const std::vector<SheetStroke>& lines_;
+    StrokeGrid grid_;
+    std::vector<std::vector<Candidate>> candidates_;  // of each label, the best first
+};
+
+}  // namespace
+
+std::optional<LeaderWay> leader_way(PaperPoint anchor, PaperPoint port, const StrokeGrid& grid) {
+    const double length = distance_mm(anchor, port);
+    const int steps = std::max(1, static_cast<int>(std::ceil(length / leader_step_mm)));
+    const double step = length / steps;
+    const auto is_clear = [&](int k) {
+        const PaperPoint p = between(anchor, port, static_cast<double>(k) / steps);
+        return grid.near(p).clear_mm - leader_half_mm >= least_clear_mm;
+    };
+    int k = 0;
+    while (k <= steps && !is_clear(k)) ++k;
+    if (k * step > steepest_mm || k > steps) return std::nullopt;
+
+    LeaderWay way;
+    const auto add = [&](int from, int to) {
+        const bool is_start = from == 0;
+        if ((to - from) * step < (is_start ? least_start_mm : least_stretch_mm)) return !is_start;
+        way.pieces.push_back({{between(anchor, port, static_cast<double>(from) / steps),
+                               between(anchor, port, static_cast<double>(to) / steps)},
+                              false,
+                              thin_line_mm,
+                              StrokeUse::leader,
+                              0});
+        return true;
+    };
+    int from = 0;
+    for (; k <= steps; ++k) {
+        if (is_clear(k)) continue;
+        if (!add(from, k - 1)) return std::nullopt;
+        while (k <= steps && !is_clear(k)) ++k;
+        if (k > steps || ++way.breaks > most_breaks) return std::nullopt;
+        from = k;
+    }
+    if ((steps - from) * step < least_stretch_mm || !add(from, steps)) return std::nullopt;
+    return way;
+}
+
+LabelPlan placed_labels(const std::vector<WantedLabel>& wanted,
+                        const std::vector<SheetStroke>& lines, PaperSize page,
+                        const PaperBox& zone) {
+    const Placer placer(wanted, lines, page, zone);
+    std::vector<std::size_t> order(wanted.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    // Those with the least choice first: places, then what has few anchors, then the widest.
+    std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
+        if (wanted[a].is_place != wanted[b].is_place) return wanted[a].is_place;
+        return wanted[a].anchors.size() < wanted[b].anchors.size();
+    });
+    LabelPlan best = placer.place(order);
+    for (int t = 1; t < most_tries && !best.without_room.empty(); ++t) {
+        const auto found_none = [&](std::size_t i) {
+            return std::ranges::count(best.without_room, wanted[i].part) > 0;
+        };
+        std::ranges::stable_partition(order, found_none);
+        LabelPlan next = placer.place(order);
+        if (next.without_room.size() >= best.without_room.size()) break;
+        best = std::move(next);
+    }
+    return best;
+}
+
+}  // namespace touchline

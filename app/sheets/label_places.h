@@ -1,0 +1,52 @@
+// Where the braille labels of a drawing go, and the leader lines from them to what they name.
+// Threads: pure functions.
+#pragma once
+
+#include "app/sheets/braille_lines.h"
+#include "app/sheets/stroke_grid.h"
+#include "app/sheets/tactile_sheet.h"
+
+#include <optional>
+#include <vector>
+
+namespace touchline {
+
+struct WantedLabel {
+    std::size_t part = 0;                           // the caller's number
+    std::vector<PaperPoint> anchors;                // on the lines it names, or the one place
+    bool is_place = false;                          // no line: it may lie upon the place
+    std::vector<std::vector<BrailleCells>> shapes;  // label_shapes()
+};
+
+struct PlacedLabel {
+    std::size_t part = 0;
+    std::vector<BrailleRow> rows;
+    std::vector<SheetStroke> leader;  // pieces, from what is named to the label; source is 0
+};
+
+struct LabelPlan {
+    std::vector<PlacedLabel> placed;
+    std::vector<std::size_t> without_room;  // parts
+};
+
+/// Dots of a label stay least_clear_mm from every line and leader, braille_label_mm from the dots
+/// of another label, and within the zone. A leader is straight and ends on its line, or in a dot at
+/// its place; it is broken where it crosses lines, and meets no other leader. Each label takes the
+/// place with the shortest leader, where breaks, the inside of closed lines and further rows count
+/// as a longer one. The labels are placed one after the other; those that found no room go first in
+/// the next try. About 20 ms for ten labels.
+[[nodiscard]] LabelPlan placed_labels(const std::vector<WantedLabel>& wanted,
+                                      const std::vector<SheetStroke>& lines, PaperSize page,
+                                      const PaperBox& zone);
+
+/// A leader's pieces from `anchor` to `port`, and how often lines break it. Nothing if it leaves
+/// its line at too flat an angle, or if too little of it would be left. `grid` holds the lines.
+struct LeaderWay {
+    std::vector<SheetStroke> pieces;
+    int breaks = 0;
+};
+
+[[nodiscard]] std::optional<LeaderWay> leader_way(PaperPoint anchor, PaperPoint port,
+                                                  const StrokeGrid& grid);
+
+}  // namespace touchline

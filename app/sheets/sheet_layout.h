@@ -1,0 +1,25 @@
+// A sheet for swell paper: from a map, as it is felt at the kiosk, to lines, labels and words.
+// Threads: pure functions, except for the tables of braille_of() (app/braille/translation.h).
+#pragma once
+
+#include "app/sheets/braille_lines.h"
+#include "app/sheets/tactile_sheet.h"
+#include "audio-cues/words/language.h"
+#include "config/types/result.h"
+#include "config/types/tactile_map.h"
+
+namespace touchline {
+
+struct SheetOrder {
+    PaperKind paper = PaperKind::a4;
+    BrailleHand hand;
+};
+
+/// The drawing as large as its labels allow, upright or on the side, then pages of words: the
+/// description, the parts and what was changed. Everything is within the margins. Fails with one
+/// line for a map without lines or of no size, and as braille_of() does. Some 50 ms, at most half a
+/// second for a crowded map.
+[[nodiscard]] Result<TactileSheet> tactile_sheet(const TactileMap& map, const SheetOrder& order,
+                                                 const Language& language);
+
+}  // namespace touchline

@@ -1,0 +1,56 @@
+// Every picture of the gallery as a sheet, for people to look at, and what it could not show:
+//   print_gallery FOLDER [LANGUAGE [a4|letter]]
+#include "app/documents/decode/files.h"
+#include "app/sheets/braille_sheet.h"
+#include "app/sheets/sheet_drawing.h"
+#include "app/sheets/sheet_layout.h"
+#include "app/sheets/sheet_words.h"
+#include "tests/app/documents/gallery/pictures.h"
+
+#include <chrono>
+#include <cstdio>
+
+namespace touchline {
+namespace {
+
+std::string listed(const std::vector<std::string>& names) {
+    std::string list;
+    for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+    return list;
+}
+
+int print_all(const std::string& folder, const std::string& code, PaperKind paper) {
+    const Language language = Language::load(TOUCHLINE_CATALOGUES, code).value();
+    const SheetOrder order{paper, {code, BrailleGrade::uncontracted}};
+    for (const ShippedPicture& picture : shipped_pictures({code})) {
+        const auto begin = std::chrono::steady_clock::now();
+        const TactileSheet sheet = tactile_sheet(picture.map, order, language).value();
+        const std::chrono::duration<double, std::milli> took =
+            std::chrono::steady_clock::now() - begin;
+        std::printf("%-22s %5.0f ms  scale %.2f  %2zu parts, without a name: %s; left out: %s\n",
+                    picture.name.c_str(), took.count(), sheet.scale,
+                    named_parts(picture.map).size(), listed(sheet.unlabelled).c_str(),
+                    listed(sheet.left_out).c_str());
+        const std::string name = folder + "/" + picture.name;
+        const auto pdf = pdf_of(sheet, picture.map.title).value();
+        auto pages = word_pages(picture.map, order.hand, language).value();
+        const auto drawing = drawing_pages(picture.map, order.hand).value();
+        pages.insert(pages.end(), drawing.begin(), drawing.end());
+        if (!write_whole_file(name + ".pdf", pdf) ||
+            !write_whole_file(name + ".brf", brf_of(pages)))
+            return 1;
+    }
+    return 0;
+}
+
+}  // namespace
+}  // namespace touchline
+
+int main(int argc, char** argv) {
+    const std::vector<std::string> words(argv + 1, argv + argc);
+    if (words.empty()) return 2;
+    const bool is_letter = words.size() > 2 && words[2] == "letter";
+    return touchline::print_all(
+        words[0], words.size() > 1 ? words[1] : "en",
+        is_letter ? touchline::PaperKind::letter : touchline::PaperKind::a4);
+}
