@@ -66,6 +66,15 @@ void add_outlines(const TactileMap& map, const Language& language, std::vector<P
     }
 }
 
+void add_recordings(const TactileMap& map, const PictureRecordings& recordings,
+                    PictureFacts& facts) {
+    facts.title_recording = recordings.title;
+    facts.description_recording = recordings.description;
+    for (const auto& [label, recording] : recordings.parts)
+        if (const auto part = part_labelled(map, facts.parts, label))
+            facts.parts[*part].recording = recording;
+}
+
 /// The line around most of the picture; 0 if there is none.
 int outer_outline(const TactileMap& map) {
     int outer = 0;
@@ -148,6 +157,7 @@ PictureFacts facts_of(const LoadedScene& scene, const PictureFile& file, const N
     facts.names = scene.facts.names;
     facts.outer_outline = outer_outline(map);
     add_outlines(map, language, facts.parts);
+    if (scene.facts.recordings) add_recordings(map, *scene.facts.recordings, facts);
     for (const Label& label : map.labels) {
         if (!label.text.empty())
             facts.parts.push_back({label.text, label.place, label.place, 1, std::nullopt});

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
+#include <utility>
 
 namespace touchline {
 namespace {
@@ -34,18 +36,32 @@ Result<Page> open_in(const std::string& path, const LanguageTag& language, const
     return page;
 }
 
+using ReadRecordings = std::function<PictureRecordingsPtr(const TactileMap& told)>;
+
+ReadRecordings recordings_in_pack(const LibraryPicture& picture, const LanguageTag& language) {
+    return [picture, language](const TactileMap& told) {
+        std::vector<PackFinding> problems;  // the pack's importer was told
+        return recordings_of(picture, told, language, problems);
+    };
+}
+
 /// Its errors name the picture, and not its place on the disk.
 FilePtr picture_file(const GalleryEntry& entry, const std::string& gallery_file,
-                     const LanguageTag& language, MapReader read) {
+                     const LanguageTag& language, MapReader read, ReadRecordings recordings = {}) {
     return std::make_shared<const PictureFile>(
-        PictureFile{entry.title, entry.title, gallery_file, false,
+        PictureFile{entry.title,
+                    entry.title,
+                    gallery_file,
+                    false,
                     [path = entry.path, title = entry.title, language,
                      read](const PageOrder& order) -> Result<Page> {
                         auto page = open_in(path, language, order, read);
                         if (!page && page.error().line.starts_with(path))
                             return failure(title + page.error().line.substr(path.size()));
                         return page;
-                    }});
+                    },
+                    {},
+                    std::move(recordings)});
 }
 
 /// The file whose name ends like this after its number.
@@ -122,8 +138,10 @@ Result<Gallery> read_gallery(const std::string& folder, const std::string& libra
         std::vector<PackFinding> problems;  // the pack's importer was told
         for (const LibraryPicture& picture : list_library(library, tag, problems)) {
             const GalleryEntry& entry = picture.entry;
-            titles.push_back({entry.title, entry.description, entry.difficulty});
-            files.push_back(picture_file(entry, "", tag, read_map_of_pack));
+            titles.push_back(
+                {entry.title, entry.description, entry.difficulty, picture.title_recording});
+            files.push_back(
+                picture_file(entry, "", tag, read_map_of_pack, recordings_in_pack(picture, tag)));
         }
     }
     gallery.circle = named(gallery.files.front(), "-circle.svg");

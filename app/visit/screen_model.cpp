@@ -68,9 +68,37 @@ std::string spoken_item(const SpokenScreen& screen, std::size_t item, const Lang
 }
 
 std::string spoken_screen(const SpokenScreen& screen, const Language& language) {
-    std::string text = screen.title;
-    add_sentence(text, screen.text);
-    if (screen.focus) add_sentence(text, spoken_item(screen, *screen.focus, language));
+    return told_screen(screen, language).words;
+}
+
+void add_sentence(SpokenText& text, const SpokenText& sentence) {
+    add_sentence(text.words, sentence.words);
+    const std::size_t begin = text.words.size() - sentence.words.size();
+    for (const RecordedSpan& span : sentence.recorded)
+        text.recorded.push_back({begin + span.begin, begin + span.end, span.recording});
+}
+
+SpokenText told_title(const SpokenScreen& screen) {
+    return {screen.title, screen.title_recording};
+}
+
+SpokenText told_text(const SpokenScreen& screen) {
+    SpokenText text(screen.text);
+    text.recorded = screen.text_recorded;
+    return text;
+}
+
+SpokenText told_item(const SpokenScreen& screen, std::size_t item, const Language& language) {
+    SpokenText text(spoken_item(screen, item, language));
+    const ScreenItem& shown = screen.items.at(item);
+    if (shown.recording) text.recorded.push_back({0, shown.name.size(), shown.recording});
+    return text;
+}
+
+SpokenText told_screen(const SpokenScreen& screen, const Language& language) {
+    SpokenText text = told_title(screen);
+    add_sentence(text, told_text(screen));
+    if (screen.focus) add_sentence(text, told_item(screen, *screen.focus, language));
     return text;
 }
 

@@ -2,6 +2,7 @@
 // and what the six keys walk through. Threads: values and pure functions.
 #pragma once
 
+#include "audio-cues/speech/spoken_text.h"
 #include "audio-cues/words/language.h"
 #include "config/settings/keys.h"
 
@@ -26,6 +27,7 @@ struct ScreenItem {
     std::string hint;   // one sentence, said after a pause; may be empty
     /// "picture 37 of 205", or empty; nothing: that among the items of the screen.
     std::optional<std::string> place = {};
+    VoiceRecordingPtr recording = {};  // of the name; null: nobody recorded it
 
     friend bool operator==(const ScreenItem&, const ScreenItem&) = default;
 };
@@ -42,6 +44,8 @@ struct SpokenScreen {
     std::vector<std::string> way = {};  // titles of the screens below this one, from the first
     bool takes_any_key = false;         // every key does the same
     bool is_turning = false;            // Up and Down change the value of the item with the focus
+    VoiceRecordingPtr title_recording = {};        // null: nobody recorded it
+    std::vector<RecordedSpan> text_recorded = {};  // of the text
 
     friend bool operator==(const SpokenScreen&, const SpokenScreen&) = default;
 };
@@ -63,6 +67,13 @@ struct SpokenScreen {
 /// The whole screen, for a person who asks twice: title, text, the item that has the focus.
 [[nodiscard]] std::string spoken_screen(const SpokenScreen& screen, const Language& language);
 
+/// The same, and what of it is recorded.
+[[nodiscard]] SpokenText told_title(const SpokenScreen& screen);
+[[nodiscard]] SpokenText told_text(const SpokenScreen& screen);
+[[nodiscard]] SpokenText told_item(const SpokenScreen& screen, std::size_t item,
+                                   const Language& language);
+[[nodiscard]] SpokenText told_screen(const SpokenScreen& screen, const Language& language);
+
 /// Gives the item the focus, or the last one if there are fewer; none if there are none.
 void set_focus(SpokenScreen& screen, std::size_t wanted);
 
@@ -75,6 +86,7 @@ inline constexpr std::size_t items_on_screen = 7;
 /// Appends the sentence, with a full stop before it if there was none. Does nothing for an empty
 /// sentence.
 void add_sentence(std::string& text, const std::string& sentence);
+void add_sentence(SpokenText& text, const SpokenText& sentence);
 
 /// The keys that do something now, in the order of KeyRole. None where any key does the same.
 [[nodiscard]] std::vector<KeyRole> acting_keys(const SpokenScreen& screen);

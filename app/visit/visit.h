@@ -123,7 +123,8 @@ struct Standing {
 struct GalleryTitle {
     std::string title;
     std::string description;
-    std::optional<int> difficulty;  // 1 (easy) ... 5
+    std::optional<int> difficulty;           // 1 (easy) ... 5
+    VoiceRecordingPtr title_recording = {};  // null: nobody recorded it
 };
 
 /// The site's rules beside Settings. They may change between visits.
@@ -201,8 +202,9 @@ struct Waiting {
 /// What was said last, for captions and for repeating it. Never written to disk or to a log.
 struct Caption {
     std::string text;
-    std::string language;             // its code
-    std::optional<ScreenEvent> sign;  // the visual sign of the last sound
+    std::string language;                     // its code
+    std::optional<ScreenEvent> sign;          // the visual sign of the last sound
+    std::vector<RecordedSpan> recorded = {};  // of the text
 };
 
 /// A guide that leads the hand: first announced, then under way.
@@ -294,6 +296,7 @@ struct Visitor {
     bool has_felt = false;           // whether a hand moved on one, whatever was opened since
     double active_s = 0.0;           // last key or motion
     double key_s = 0.0;              // last key
+    double listens_until_s = 0.0;    // the recordings that were begun last end
     double entered_s = 0.0;          // when the open screen was entered
     double question_s = 0.0;         // when it was asked
     double attention_s = 0.0;        // when the handle last asked for attention

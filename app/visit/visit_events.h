@@ -6,6 +6,7 @@
 #include "app/visit/page_place.h"
 #include "app/visit/screen_model.h"
 #include "app/visit/visit_orders.h"
+#include "audio-cues/speech/spoken_text.h"
 #include "config/settings/settings.h"
 #include "config/types/thing_name.h"
 #include "config/types/vec2.h"
@@ -82,11 +83,12 @@ struct StickGone {
 
 /// A part of the picture that can be named and reached.
 struct PartFacts {
-    std::string name;            // in the language that was ordered; never empty
-    Position place_W;            // on the part, in the map that is felt
-    Position middle_W;           // the middle of the box around it
-    int detail = 1;              // 1 ... 5
-    std::optional<int> outline;  // index in the map; none: a place without a line
+    std::string name;                  // in the language that was ordered; never empty
+    Position place_W;                  // on the part, in the map that is felt
+    Position middle_W;                 // the middle of the box around it
+    int detail = 1;                    // 1 ... 5
+    std::optional<int> outline;        // index in the map; none: a place without a line
+    VoiceRecordingPtr recording = {};  // of the name; null: nobody recorded it
 };
 
 struct PictureFacts {
@@ -95,9 +97,11 @@ struct PictureFacts {
     std::vector<PartFacts> parts;
     PagePlace place = {1, 1, 1, 1};
     int outline_count = 0;
-    int outer_outline = 0;               // index in the map: the first tour follows it
-    std::string note;                    // one sentence worth telling; may be empty
-    std::vector<NamedThing> names = {};  // what the things of a photograph probably are
+    int outer_outline = 0;                   // index in the map: the first tour follows it
+    std::string note;                        // one sentence worth telling; may be empty
+    std::vector<NamedThing> names = {};      // what the things of a photograph probably are
+    VoiceRecordingPtr title_recording = {};  // null: nobody recorded it
+    VoiceRecordingPtr description_recording = {};
 };
 
 /// A second event for the same request improves on the first (labels found later).

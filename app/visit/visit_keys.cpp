@@ -11,6 +11,7 @@ namespace {
 void note_presence(VisitWork& work) {
     Visitor& visitor = work.visitor;
     visitor.active_s = visitor.key_s = work.site.now_s;
+    visitor.listens_until_s = 0.0;
     visitor.pulled_s.reset();
     visitor.is_hint_due = false;  // until another item or screen gets the focus
 }
@@ -66,13 +67,12 @@ void repeat(VisitWork& work) {
     const int repeats = visitor.repeats + 1;
     if (repeats == 1 && !visitor.caption.text.empty()) {
         visitor.repeats = repeats;
-        order(work,
-              Utterance{visitor.caption.language, visitor.caption.text, SpeechPriority::text});
+        say_again(work);
         return;
     }
     visitor.repeats = 0;
     const SpokenScreen screen = screen_of(work);
-    std::string text = spoken_screen(screen, language_of(work));
+    SpokenText text = told_screen(screen, language_of(work));
     add_sentence(text, untold_hint(screen));
     say(work, text);
 }

@@ -80,6 +80,10 @@ class PictureRows {
         return spoken_name(stick_->names[row], language_, stick_->forms[row]);
     }
 
+    [[nodiscard]] SpokenText told_name_at(std::size_t row) const {
+        return {name_at(row), stick_ ? nullptr : picture_at(row).title_recording};
+    }
+
     [[nodiscard]] std::string value_at(std::size_t row) const {
         return stick_ ? std::string() : grade_in_words(picture_at(row), language_);
     }
@@ -168,7 +172,7 @@ std::string told_picture_place(const VisitSheet& sheet, const PictureRows& rows,
 }
 
 void write_picture_row(VisitSheet& sheet, const PictureRows& rows, std::size_t row) {
-    sheet.row(row, rows.name_at(row), told_grade(sheet, rows, row), "Press Select to open it.",
+    sheet.row(row, rows.told_name_at(row), told_grade(sheet, rows, row), "Press Select to open it.",
               told_picture_place(sheet, rows, row));
 }
 

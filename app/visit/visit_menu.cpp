@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace touchline {
 namespace {
@@ -139,15 +140,20 @@ void VisitSheet::sentence(const char* english) {
     told(words(english));
 }
 
-void VisitSheet::told(const std::string& text) {
-    add_sentence(screen.text, text);
+void VisitSheet::told(const SpokenText& text) {
+    SpokenText all = told_text(screen);
+    add_sentence(all, text);
+    screen.text = std::move(all.words);
+    screen.text_recorded = std::move(all.recorded);
 }
 
-void VisitSheet::row(std::size_t number, const std::string& name, const std::string& value,
+void VisitSheet::row(std::size_t number, const SpokenText& name, const std::string& value,
                      const char* hint, const std::optional<std::string>& place) {
     screen.items.push_back({static_cast<int>(VisitItem::entry) + static_cast<int>(number),
-                            ItemRole::choice, name, value,
+                            ItemRole::choice, name.words, value,
                             words(hint == nullptr ? hint_of_choice(world) : hint), place});
+    if (!name.recorded.empty())
+        screen.items.back().recording = if_short(name.recorded.front().recording);
 }
 
 const VisitScreenRow& row_of(VisitScreen screen) {

@@ -34,10 +34,11 @@ struct VisitSheet {
     void sentence(const char* english);
 
     /// Adds text that is in the visitor's language already.
-    void told(const std::string& text);
+    void told(const SpokenText& text);
 
-    /// `hint`: nothing is that of its kind. `place`: ScreenItem::place.
-    void row(std::size_t number, const std::string& name, const std::string& value = {},
+    /// `hint`: nothing is that of its kind. `place`: ScreenItem::place. A recording of the name is
+    /// heard where it is short.
+    void row(std::size_t number, const SpokenText& name, const std::string& value = {},
              const char* hint = nullptr, const std::optional<std::string>& place = {});
 };
 

@@ -73,7 +73,7 @@ void note_change(Visitor& visitor, LoadReason reason) {
     if (reason == LoadReason::detail) visitor.before = visitor.felt->order.detail;
 }
 
-std::string told_change(const VisitWork& work, LoadReason reason) {
+SpokenText told_change(const VisitWork& work, LoadReason reason) {
     const KnownPicture& felt = *work.visitor.felt;
     const Language& language = language_of(work);
     switch (reason) {
@@ -104,17 +104,17 @@ std::string told_change(const VisitWork& work, LoadReason reason) {
 }
 
 /// Adds the item of the enlargement without its value, which was told already.
-void say_zoom(VisitWork& work, std::string text) {
+void say_zoom(VisitWork& work, SpokenText text) {
     focus_on(work, VisitItem::zoom);  // other items may have come before it
     SpokenScreen screen = screen_of(work);
     screen.items[*screen.focus].value.clear();
-    add_sentence(text, spoken_item(screen, *screen.focus, language_of(work)));
+    add_sentence(text, told_item(screen, *screen.focus, language_of(work)));
     say(work, text);
 }
 
 /// Whoever turned a page can turn on with the same key: the item keeps the focus, or the way back
 /// to the picture has it. It is told without its place, a second count after that of the page.
-void tell_view(VisitWork& work, std::optional<VisitItem> turned, std::string text) {
+void tell_view(VisitWork& work, std::optional<VisitItem> turned, SpokenText text) {
     focus_on(work, VisitItem::pages);
     if (turned) {
         enter(work, VisitScreen::pages);
@@ -132,7 +132,7 @@ void tell_view(VisitWork& work, std::optional<VisitItem> turned, std::string tex
 /// While help is open, the visitor hears it once the keys are silent. Texts that tell the whole
 /// picture have its title already.
 void tell_change(VisitWork& work, const Loading& done) {
-    std::string text = told_change(work, done.reason);
+    const SpokenText text = told_change(work, done.reason);
     if (work.visitor.over) return say(work, text, SpeechPriority::hint);
     switch (done.reason) {
         case LoadReason::main_thing:
@@ -143,7 +143,8 @@ void tell_change(VisitWork& work, const Loading& done) {
             return tell_view(work, done.focus, text);
         case LoadReason::detail: {
             focus_on(work, VisitItem::detail);
-            std::string all = screen_of(work).title;
+            const SpokenScreen screen = screen_of(work);
+            SpokenText all(screen.title, if_short(screen.title_recording));
             add_sentence(all, text);
             return say_item(work, all);
         }
@@ -173,11 +174,11 @@ struct Undo {
 
 }  // namespace
 
-std::string told_picture(const VisitWork& work) {
+SpokenText told_picture(const VisitWork& work) {
     if (!work.visitor.felt) return {};
-    const SpokenScreen screen = screen_of(work);
-    std::string text = work.visitor.felt->facts.title;
-    add_sentence(text, screen.text);
+    const PictureFacts& facts = work.visitor.felt->facts;
+    SpokenText text(facts.title, facts.title_recording);
+    add_sentence(text, told_text(screen_of(work)));
     return text;
 }
 
@@ -283,11 +284,11 @@ void tell_names(VisitWork& work, const std::string& news = {}) {
     const KnownPicture& felt = *visitor.felt;
     const bool is_open = !visitor.over && visitor.path.back().screen == VisitScreen::picture;
     const bool is_rest = visitor.is_told_shortly && is_open;
-    std::string text = is_rest ? told_picture(work) : words_of(felt.facts.names, language_of(work));
+    SpokenText text = is_rest ? told_picture(work) : words_of(felt.facts.names, language_of(work));
     // The text of the whole picture says what was not found.
     const bool is_told = is_rest && felt.facts.place.things != ThingSearch::found;
     if (!news.empty() && !is_told) add_sentence(text, words(work, news));
-    if (!is_rest) return text.empty() ? void() : say(work, text, SpeechPriority::hint);
+    if (!is_rest) return say(work, text, SpeechPriority::hint);
     visitor.is_told_shortly = false;
     say_item_next(work, text);
 }

@@ -127,7 +127,8 @@ void write_practice(VisitSheet& sheet) {
 void write_picture(VisitSheet& sheet) {
     const PictureFacts& facts = facts_of(sheet);
     sheet.screen.title = picture_title(sheet);
-    sheet.told(facts.description);
+    sheet.screen.title_recording = facts.title_recording;
+    sheet.told({facts.description, facts.description_recording});
     sheet.told(words_of(facts.names, sheet.language));
     sheet.told(sheet.language.counted("count", "{0} outline", "{0} outlines", facts.outline_count));
     sheet.told(told_page_place(sheet));
@@ -148,7 +149,7 @@ void write_parts_text(VisitSheet& sheet) {
 void write_parts(VisitSheet& sheet) {
     const std::vector<PartFacts>& parts = facts_of(sheet).parts;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        sheet.row(i, parts[i].name,
+        sheet.row(i, {parts[i].name, parts[i].recording},
                   words_of(place_of(parts[i].middle_W, CueArea{}), sheet.language),
                   hint_of_part(sheet), told_place_among(i + 1, parts.size(), sheet.language));
     }
@@ -161,7 +162,7 @@ void write_zoom(VisitSheet& sheet) {
 void write_parts_to_enlarge(VisitSheet& sheet) {
     const std::vector<PartFacts>& parts = facts_of(sheet).parts;
     for (std::size_t i = 0; i < parts.size(); ++i)
-        sheet.row(i, parts[i].name, sheet.words("enlarged"),
+        sheet.row(i, {parts[i].name, parts[i].recording}, sheet.words("enlarged"),
                   "Press Select to enlarge it twice, then four times.");
 }
 

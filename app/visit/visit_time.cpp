@@ -37,11 +37,12 @@ void ask(VisitWork& work) {
     say_screen(work);
 }
 
-/// A visitor who waits for work, or is led, counts as present. A handle that waits for a hand tells
-/// nothing.
+/// A visitor who waits for work, listens to a recording, or is led, counts as present. A handle
+/// that waits for a hand tells nothing.
 bool is_busy(const VisitWork& work) {
     const Visitor& visitor = work.visitor;
     const double now_s = work.site.now_s;
+    if (now_s < visitor.listens_until_s) return true;
     if (visitor.waiting && now_s - visitor.waiting->since_s < longest_lead_s) return true;
     return visitor.leading && visitor.handle.is_led &&
            now_s - visitor.leading->begin_s < longest_lead_s;
@@ -188,11 +189,12 @@ void name_part(VisitWork& work) {
     if (handle.speed_m_per_s > quick_m_per_s) return;
     visitor.part_said = handle.part;
     cue(work, ScreenEvent::label_reached);
-    work.is_asked = true;  // by the hand that rests there
     const bool is_asked_for = visitor.path.back().screen == VisitScreen::explore;
-    say(work, visitor.felt->facts.parts[*handle.part].name,
+    const PartFacts& part = visitor.felt->facts.parts[*handle.part];
+    work.is_of_hand = true;
+    say(work, {part.name, part.recording},
         is_asked_for ? SpeechPriority::text : SpeechPriority::hint);
-    work.is_asked = false;
+    work.is_of_hand = false;
 }
 
 /// True if the hand is on a line, as far as is known: without named parts no line is told.

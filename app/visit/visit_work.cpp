@@ -38,8 +38,24 @@ bool is_said_again(VisitWork& work, const std::string& language, const std::stri
     const bool is_again = std::ranges::any_of(said, [&](const SaidLately& each) {
         return each.text == text && each.language == language && each.at_s >= key_s;
     });
-    if (!is_again || work.is_asked) said.push_back({language, text, now_s});
-    return is_again && !work.is_asked;
+    const bool is_asked = work.is_asked || work.is_of_hand;
+    if (!is_again || is_asked) said.push_back({language, text, now_s});
+    return is_again && !is_asked;
+}
+
+void keep_for_repeat(VisitWork& work, const Language& language, const SpokenText& text) {
+    Caption& caption = work.visitor.caption;
+    caption.text = text.words;
+    caption.language = language.code();
+    caption.recorded = text.recorded;
+}
+
+/// Whoever listens to a recording, which may take minutes, need not press a key.
+void note_listening(VisitWork& work, const std::vector<RecordedSpan>& recorded) {
+    if (recorded.empty() || !work.visitor.sound.is_speech_on) return;
+    double& until_s = work.visitor.listens_until_s;
+    until_s = work.site.now_s;
+    for (const RecordedSpan& span : recorded) until_s += length_s(*span.recording);
 }
 
 /// Counts the hint of the focused item as said if the screen's text says it too.
@@ -101,27 +117,30 @@ void refuse(VisitWork& work) {
     shake(work, HandlePattern::error);
 }
 
-void say_in(VisitWork& work, const Language& language, const std::string& text,
+void say_in(VisitWork& work, const Language& language, const SpokenText& text,
             SpeechPriority priority) {
-    if (text.empty()) return;
+    if (text.words.empty()) return;
     // A hint may wait, or never be said, so Repeat keeps what was said before it.
-    if (priority != SpeechPriority::hint) {
-        work.visitor.caption.text = text;
-        work.visitor.caption.language = language.code();
-    }
-    const bool is_again = is_said_again(work, language.code(), text);
+    if (priority != SpeechPriority::hint) keep_for_repeat(work, language, text);
+    const bool is_again = is_said_again(work, language.code(), text.words);
     if (is_again && priority != SpeechPriority::safety) return;
-    order(work, Utterance{language.code(), text, priority});
+    note_listening(work, text.recorded);
+    order(work, Utterance{language.code(), text.words, priority, text.recorded, work.is_of_hand});
 }
 
-void say_next(VisitWork& work, const std::string& text) {
-    if (text.empty()) return;
+void say_again(VisitWork& work) {
+    const Caption& last = work.visitor.caption;
+    note_listening(work, last.recorded);
+    order(work, Utterance{last.language, last.text, SpeechPriority::text, last.recorded});
+}
+
+void say_next(VisitWork& work, const SpokenText& text) {
+    if (text.words.empty()) return;
     say(work, text, SpeechPriority::hint);
-    work.visitor.caption.text = text;
-    work.visitor.caption.language = language_of(work).code();
+    keep_for_repeat(work, language_of(work), text);
 }
 
-void say(VisitWork& work, const std::string& text, SpeechPriority priority) {
+void say(VisitWork& work, const SpokenText& text, SpeechPriority priority) {
     say_in(work, language_of(work), text, priority);
 }
 
@@ -143,13 +162,13 @@ std::string untold_hint(const SpokenScreen& screen) {
     return screen.text.find(hint) == std::string::npos ? hint : std::string();
 }
 
-void say_item(VisitWork& work, const std::string& first) {
+void say_item(VisitWork& work, const SpokenText& first) {
     const SpokenScreen screen = screen_of(work);
     if (!screen.focus) return say(work, first);
     const Language& language = language_of_item(work, screen.items[*screen.focus]);
-    const std::string item = spoken_item(screen, *screen.focus, language);
-    if (first.empty() || &language == &language_of(work)) {
-        std::string text = first;
+    const SpokenText item = told_item(screen, *screen.focus, language);
+    if (first.words.empty() || &language == &language_of(work)) {
+        SpokenText text = first;
         add_sentence(text, item);
         return say_in(work, language, text);
     }
@@ -157,25 +176,26 @@ void say_item(VisitWork& work, const std::string& first) {
     say_in(work, language, item, SpeechPriority::hint);
 }
 
-void say_item_next(VisitWork& work, std::string text) {
+void say_item_next(VisitWork& work, SpokenText text) {
     const SpokenScreen screen = screen_of(work);
-    if (screen.focus) add_sentence(text, spoken_item(screen, *screen.focus, language_of(work)));
+    if (screen.focus) add_sentence(text, told_item(screen, *screen.focus, language_of(work)));
     work.visitor.is_hint_due = true;
     say_next(work, text);
 }
 
 void say_screen(VisitWork& work, const std::string& first) {
     const SpokenScreen screen = screen_of(work);
-    std::string text = first;
-    add_sentence(text, screen.title);
-    add_sentence(text, screen.text);
+    SpokenText text(first);
+    add_sentence(text, told_title(screen));
+    add_sentence(text, told_text(screen));
     note_hint(work, screen);
     say_item(work, text);
 }
 
 void say_return(VisitWork& work, const std::string& first) {
-    std::string text = first;
-    add_sentence(text, screen_of(work).title);
+    const SpokenScreen screen = screen_of(work);
+    SpokenText text(first);
+    add_sentence(text, {screen.title, if_short(screen.title_recording)});
     say_item(work, text);
 }
 

@@ -16,7 +16,8 @@ struct VisitWork {
     Visitor visitor;
     const VisitWorld& world;
     VisitOrders orders;
-    bool is_asked = false;  // by what the visitor does: what is said is an answer
+    bool is_asked = false;    // by what the visitor does: what is said is an answer
+    bool is_of_hand = false;  // what is said tells what the hand rests on
 };
 
 /// The visitor's language.
@@ -39,10 +40,13 @@ void refuse(VisitWork& work);
 
 /// Says `text` and makes it the caption. Does nothing if it is empty. What nobody asked for is not
 /// said again within ten seconds and before the next key; safety messages are.
-void say(VisitWork& work, const std::string& text, SpeechPriority priority = SpeechPriority::text);
+void say(VisitWork& work, const SpokenText& text, SpeechPriority priority = SpeechPriority::text);
+/// Says once more what the caption has.
+void say_again(VisitWork& work);
+
 /// Says `text` once what is being said is over. Repeat says it again.
-void say_next(VisitWork& work, const std::string& text);
-void say_in(VisitWork& work, const Language& language, const std::string& text,
+void say_next(VisitWork& work, const SpokenText& text);
+void say_in(VisitWork& work, const Language& language, const SpokenText& text,
             SpeechPriority priority = SpeechPriority::text);
 
 /// A text of the context "visit" in the visitor's language.
@@ -54,15 +58,16 @@ void say_in(VisitWork& work, const Language& language, const std::string& text,
 /// The open screen: title, text, focused item.
 void say_screen(VisitWork& work, const std::string& first = {});
 
-/// Title and focused item: whoever comes back knows the rest.
+/// Title and focused item: whoever comes back knows the rest, and a long recording
+/// of the title.
 void say_return(VisitWork& work, const std::string& first = {});
 
 /// The item that has the focus, in its own language.
-void say_item(VisitWork& work, const std::string& first = {});
+void say_item(VisitWork& work, const SpokenText& first = {});
 
 /// Says, after what is being said, news that nobody asked for just now, and then the item that has
 /// the focus.
-void say_item_next(VisitWork& work, std::string text);
+void say_item_next(VisitWork& work, SpokenText text);
 
 void enter(VisitWork& work, VisitScreen screen, int about = 0, std::size_t focus = 0);
 void leave(VisitWork& work);
@@ -133,7 +138,7 @@ void tell_things(VisitWork& work);
 bool keep_whole(VisitWork& work);
 
 /// Title, how it is drawn, overview, parts.
-[[nodiscard]] std::string told_picture(const VisitWork& work);
+[[nodiscard]] SpokenText told_picture(const VisitWork& work);
 
 /// Calls the staff, and goes back to what help, the question or a trouble of the handle covers
 /// (visit_screens.cpp).

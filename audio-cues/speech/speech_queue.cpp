@@ -8,6 +8,10 @@ namespace {
 constexpr std::size_t longest_transcript = 200;
 constexpr std::size_t most_waiting = 32;
 
+bool is_no_safety(const Utterance& utterance) {
+    return utterance.priority != SpeechPriority::safety;
+}
+
 }  // namespace
 
 void SpeechQueue::end_current(bool was_interrupted) {
@@ -31,26 +35,27 @@ SpeechOrder SpeechQueue::begin_next(bool stop, double now_s) {
     return {stop, current_};
 }
 
+template <class Condition>
+bool SpeechQueue::drop(Condition is_replaced) {
+    std::erase_if(waiting_, is_replaced);
+    const bool stops = current_ && is_replaced(*current_);
+    if (stops) end_current(true);
+    return stops;
+}
+
 SpeechOrder SpeechQueue::say(const Utterance& utterance, double now_s) {
     if (utterance.text.empty()) return {};
     bool stops = false;
-    if (utterance.priority != SpeechPriority::hint) {
-        std::erase_if(waiting_, [](const Utterance& waiting) {
-            return waiting.priority != SpeechPriority::safety;
-        });
-        stops = current_ && current_->priority != SpeechPriority::safety;
-        if (stops) end_current(true);
-    }
+    if (utterance.priority != SpeechPriority::hint)
+        stops = drop(is_no_safety);
+    else if (utterance.is_of_hand)
+        stops = drop([](const Utterance& said) { return said.is_of_hand; });
     if (waiting_.size() < most_waiting) waiting_.push_back(utterance);
     return begin_next(stops, now_s);
 }
 
 SpeechOrder SpeechQueue::stop(double now_s) {
-    std::erase_if(waiting_, [](const Utterance& waiting) {
-        return waiting.priority != SpeechPriority::safety;
-    });
-    const bool stops = current_ && current_->priority != SpeechPriority::safety;
-    if (stops) end_current(true);
+    const bool stops = drop(is_no_safety);
     return begin_next(stops, now_s);
 }
 

@@ -2,6 +2,8 @@
 // Threads: plain values; one thread's.
 #pragma once
 
+#include "audio-cues/speech/spoken_text.h"
+
 #include <cstdint>
 #include <deque>
 #include <optional>
@@ -19,6 +21,10 @@ struct Utterance {
     std::string language;  // code, as of Language
     std::string text;
     SpeechPriority priority = SpeechPriority::text;
+    std::vector<RecordedSpan> recorded = {};  // of the text
+    /// Tells what the hand is on: a newer one takes the place of one that is said or waits. A
+    /// recording may last much longer than the hand stays.
+    bool is_of_hand = false;
 };
 
 /// Something that was said, for captions and tests.
@@ -64,6 +70,10 @@ class SpeechQueue {
     void forget() { *this = SpeechQueue{}; }
 
   private:
+    /// Forgets what waits and ends the current utterance if `is_replaced` holds for it. Returns
+    /// whether it ended one.
+    template <class Condition>
+    bool drop(Condition is_replaced);
     SpeechOrder begin_next(bool stop, double now_s);
     void end_current(bool was_interrupted);
 

@@ -109,13 +109,56 @@ PackResult<PackPictureLook> look_at(const fs::path& path, const LanguageTag& lan
         [&](const PackFile& file) { return open_picture(file, {tag_of(language)}); });
 }
 
-void list_pack(const fs::path& folder, const LanguageTag& language,
+/// How well a recording in `has` serves a listener of `wanted`: 2 is best, 0 not at all.
+int fit(const std::string& has, const std::string& wanted) {
+    const std::string small = in_small_letters(has);
+    const std::string sought = in_small_letters(wanted);
+    if (small == sought) return 2;
+    return small.substr(0, small.find('-')) == sought.substr(0, sought.find('-')) ? 1 : 0;
+}
+
+/// The recording of a text of a picture that serves the language best; null: there is none.
+const PackSound* sound_of(const PackInfo& info, const PackSound& text) {
+    const PackSound* best = nullptr;
+    for (const PackSound& sound : info.sounds) {
+        const bool is_of_text = sound.picture == text.picture && sound.says == text.says &&
+                                sound.part == text.part && fit(sound.language, text.language) > 0;
+        if (is_of_text && (best == nullptr ||
+                           fit(sound.language, text.language) > fit(best->language, text.language)))
+            best = &sound;
+    }
+    return best;
+}
+
+/// Reads recordings until they are as long as one may keep.
+struct RecordingReader {
+    const fs::path& folder;  // of the pack
+    double rest_s;
+    std::vector<PackFinding>& problems;
+
+    /// Null if there is none, it cannot be read, or it is too long.
+    VoiceRecordingPtr read(const PackSound* sound, double most_s = pack_limits.sound_s) {
+        if (sound == nullptr || rest_s <= 0.0) return nullptr;
+        auto look = file_at(folder / sound->file).and_then(open_sound);
+        if (!look) {
+            problems.push_back(look.error());
+            return nullptr;
+        }
+        const double long_s = length_s(look->recording);
+        if (long_s > std::min(rest_s, most_s)) return nullptr;
+        rest_s -= long_s;
+        return std::make_shared<const VoiceRecording>(std::move(look->recording));
+    }
+};
+
+void list_pack(const fs::path& folder, const LanguageTag& language, double& rest_s,
                std::vector<LibraryPicture>& pictures, std::vector<PackFinding>& problems) {
     const auto info = info_of(folder);
     if (!info) {
         problems.push_back(info.error());
         return;
     }
+    RecordingReader reader{folder, rest_s, problems};
     for (const PackPicture& picture : info->pictures) {
         const fs::path path = folder / picture.file;
         auto look = look_at(path, language);
@@ -123,27 +166,32 @@ void list_pack(const fs::path& folder, const LanguageTag& language,
             problems.push_back(look.error());
             continue;
         }
+        const PackSound title{{}, picture.file, tag_of(language), SoundText::title, {}};
+        const PackSound* const sound = look->map.title.empty() ? nullptr : sound_of(*info, title);
         pictures.push_back(
             {info->id,
              title_in(*info, language.text),
              {path.string(), std::move(look->map.title), std::move(look->map.description),
-              picture.difficulty ? picture.difficulty : look->difficulty}});
+              picture.difficulty ? picture.difficulty : look->difficulty},
+             reader.read(sound, longest_name_s)});
     }
+    rest_s = reader.rest_s;
 }
 
 /// Empty if the picture has no such part.
-std::string text_said(const PackSound& sound, const TactileMap& map) {
-    switch (sound.says) {
-        case SoundText::title:
-            return map.title;
-        case SoundText::description:
-            return map.description;
-        case SoundText::part:
-            for (const Outline& outline : map.outlines)
-                if (outline.id == sound.part) return outline.label;
-            return {};
-    }
-    return {};
+std::string label_of(const std::string& id, const TactileMap& map) {
+    const auto part = std::ranges::find(map.outlines, id, &Outline::id);
+    return part == map.outlines.end() ? std::string() : part->label;
+}
+
+/// The parts of the picture that are recorded in any language, each once.
+std::vector<std::string> recorded_parts(const PackInfo& info, const std::string& picture) {
+    std::vector<std::string> parts;
+    for (const PackSound& sound : info.sounds)
+        if (sound.picture == picture && sound.says == SoundText::part &&
+            std::ranges::find(parts, sound.part) == parts.end())
+            parts.push_back(sound.part);
+    return parts;
 }
 
 /// The pack's folder: the path without the picture's own folders.
@@ -173,8 +221,9 @@ std::vector<LibraryPicture> list_library(const std::string& library, const Langu
                                          std::vector<PackFinding>& problems) {
     std::vector<LibraryPicture> pictures;
     try {
+        double rest_s = list_recorded_s;
         for (const fs::path& folder : packs_in(library))
-            list_pack(folder, language, pictures, problems);
+            list_pack(folder, language, rest_s, pictures, problems);
     } catch (const std::exception&) {
         problems.push_back({FindingKind::unreadable, library});
     }
@@ -185,30 +234,32 @@ PackResult<TactileMap> read_pack_map(const std::string& path, const LanguageTag&
     return look_at(path, language).map([](PackPictureLook look) { return std::move(look.map); });
 }
 
-std::vector<RecordedText> recorded_texts(const LibraryPicture& picture, const LanguageTag& language,
-                                         std::vector<PackFinding>& problems) {
-    std::vector<RecordedText> recorded;
+PictureRecordingsPtr recordings_of(const LibraryPicture& picture, const TactileMap& told,
+                                   const LanguageTag& language,
+                                   std::vector<PackFinding>& problems) {
     const fs::path folder = folder_of(picture);
     const auto info = info_of(folder);
-    const auto map = read_pack_map(picture.entry.path, language);
-    if (!info || !map) {
-        problems.push_back(info ? map.error() : info.error());
-        return recorded;
+    if (!info) {
+        problems.push_back(info.error());
+        return nullptr;
     }
-    for (const PackSound& sound : info->sounds) {
-        const bool is_meant =
-            folder / sound.picture == fs::path(picture.entry.path) &&
-            in_small_letters(sound.language) == in_small_letters(tag_of(language));
-        std::string text = is_meant ? text_said(sound, *map) : std::string{};
-        if (text.empty()) continue;
-        const auto file = file_at(folder / sound.file);
-        auto look = file ? open_sound(*file) : PackResult<PackSoundLook>(refusal(file.error()));
-        if (look)
-            recorded.push_back({language.text, std::move(text), std::move(look->samples)});
-        else
-            problems.push_back(look.error());
+    const std::string file =
+        fs::path(picture.entry.path).lexically_relative(folder).generic_string();
+    RecordingReader reader{folder, picture_recorded_s, problems};
+    const auto read = [&](SoundText says, const std::string& part, const std::string& text) {
+        if (text.empty()) return VoiceRecordingPtr();
+        return reader.read(sound_of(*info, {{}, file, tag_of(language), says, part}));
+    };
+    PictureRecordings found;
+    found.title = read(SoundText::title, {}, told.title);
+    found.description = read(SoundText::description, {}, told.description);
+    for (const std::string& part : recorded_parts(*info, file)) {
+        const std::string label = label_of(part, told);
+        if (VoiceRecordingPtr recording = read(SoundText::part, part, label))
+            found.parts.emplace_back(label, std::move(recording));
     }
-    return recorded;
+    if (!found.title && !found.description && found.parts.empty()) return nullptr;
+    return std::make_shared<const PictureRecordings>(std::move(found));
 }
 
 std::string library_folder() {

@@ -4,10 +4,13 @@
 
 #include "app/documents/gallery/gallery.h"
 #include "app/documents/packs/pack.h"
+#include "app/documents/packs/picture_recordings.h"
+#include "audio-cues/speech/recording.h"
 #include "config/types/choices.h"
 #include "config/types/tactile_map.h"
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -28,10 +31,13 @@ struct LibraryPicture {
     std::string pack;        // its id
     std::string pack_title;  // in the language
     GalleryEntry entry;
+    /// Of the title, in the language, if it is short (if_short()); else null.
+    VoiceRecordingPtr title_recording = {};
 };
 
 /// All pictures of all packs, packs by id, pictures in the order of pack.toml. Leaves out what
-/// cannot be used and reports it in `problems`. A missing library is empty.
+/// cannot be used and reports it in `problems`. A missing library is empty. Holds recorded titles
+/// of list_recorded_s at most, those of the first pictures.
 [[nodiscard]] std::vector<LibraryPicture> list_library(const std::string& library,
                                                        const LanguageTag& language,
                                                        std::vector<PackFinding>& problems);
@@ -41,17 +47,18 @@ struct LibraryPicture {
 [[nodiscard]] PackResult<TactileMap> read_pack_map(const std::string& path,
                                                    const LanguageTag& language);
 
-/// A recorded text of a picture: the arguments of RecordedPrompts::add().
-struct RecordedText {
-    std::string language;
-    std::string text;
-    std::vector<float> samples;  // mono at 48 000 Hz, full scale 1
-};
+inline constexpr double list_recorded_s = 300.0;     // of the titles of a list: 29 MB
+inline constexpr double picture_recorded_s = 300.0;  // of all recordings of one picture
 
-/// All recordings of one picture in one language.
-[[nodiscard]] std::vector<RecordedText> recorded_texts(const LibraryPicture& picture,
-                                                       const LanguageTag& language,
-                                                       std::vector<PackFinding>& problems);
+/// What is recorded of the picture in the language, or else in another form of it ("de-AT" for
+/// "de"), each read by a worker. `told`: its map, as read_pack_map() gives it. A recording of a
+/// text that the map lacks is left out, for it could not be shown; so is one beyond
+/// picture_recorded_s, in the order title, description, parts. Null: there is none. What cannot
+/// be read is reported in `problems`.
+[[nodiscard]] PictureRecordingsPtr recordings_of(const LibraryPicture& picture,
+                                                 const TactileMap& told,
+                                                 const LanguageTag& language,
+                                                 std::vector<PackFinding>& problems);
 
 /// The folder of this user's packs: TOUCHLINE_LIBRARY of the environment, else touchline/packs in
 /// XDG_DATA_HOME or in the home's .local/share.

@@ -79,12 +79,9 @@ PackResult<PackSoundLook> open_sound(const PackFile& file) {
     constexpr std::size_t most = 48000 * static_cast<std::size_t>(pack_limits.sound_s);
     if (count == 0 || count > most || pcm->bytes.size() % sizeof(std::int16_t) != 0)
         return of_file({FindingKind::sound_broken}, file);
-    PackSoundLook look{std::vector<float>(count), std::move(answer->findings)};
-    for (std::size_t i = 0; i < count; ++i) {
-        std::int16_t sample = 0;
-        std::memcpy(&sample, &pcm->bytes[i * sizeof sample], sizeof sample);
-        look.samples[i] = static_cast<float>(sample) / 32768.0F;
-    }
+    std::vector<std::int16_t> samples(count);
+    std::memcpy(samples.data(), pcm->bytes.data(), pcm->bytes.size());
+    PackSoundLook look{recording_of(std::move(samples)), std::move(answer->findings)};
     name_file(look.findings, file.name);
     return look;
 }

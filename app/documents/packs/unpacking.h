@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/documents/packs/pack.h"
+#include "audio-cues/speech/recording.h"
 #include "config/types/tactile_map.h"
 
 #include <cstddef>
@@ -21,9 +22,8 @@ namespace touchline {
 /// be. O(bytes).
 [[nodiscard]] PackResult<std::vector<std::byte>> zip_of(const Pack& pack);
 
-/// A recording.
 struct PackSoundLook {
-    std::vector<float> samples;         // mono at 48 000 Hz, full scale 1
+    VoiceRecording recording;
     std::vector<PackFinding> findings;  // gaps and hints
 };
 

@@ -40,7 +40,8 @@ Error of_page(const PictureFile& file, const PagePlace& place, const Error& erro
 }
 
 std::size_t bytes_in(const FoundView& found) {
-    return bytes_of(*found.view) + (found.lines ? found.lines->bytes : 0) +
+    return bytes_of(*found.view) + bytes_of(found.recordings) +
+           (found.lines ? found.lines->bytes : 0) +
            static_cast<std::size_t>(found.picture->stride()) *
                static_cast<std::size_t>(found.picture->height());
 }
@@ -49,8 +50,10 @@ TraceOptions options_for(const FeltPart& part) {
     return {Area{}, part.detail, part.zoom};
 }
 
-Result<FoundPtr> found_in(PagePtr view, const PagePlace& place, const FeltPart& part) {
+Result<FoundPtr> found_in(PagePtr view, const PagePlace& place, const FeltPart& part,
+                          PictureRecordingsPtr recordings) {
     FoundView found;
+    found.recordings = std::move(recordings);
     if (!is_own_map(*view)) {
         auto traced = find_page_lines(*view, {options_for(part)});
         if (!traced) return tl::unexpected(traced.error());
@@ -162,9 +165,8 @@ Result<FoundPtr> KioskStages::find(const PictureFile& file, const PagePtr& page,
     const PagePtr fine = fine_page(file, page, view);
     const PagePtr cut = view < views ? std::make_shared<const Page>(view_of(*fine, view)) : fine;
     const PagePlace place = place_of(*page, view);
-    return found_in(cut, place, part).map_error([&](const Error& error) {
-        return of_page(file, place, error);
-    });
+    return found_in(cut, place, part, file.recordings ? file.recordings(cut->told) : nullptr)
+        .map_error([&](const Error& error) { return of_page(file, place, error); });
 }
 
 Result<LoadedScene> KioskStages::build(const PictureFile& file, const FoundView& found,
@@ -179,6 +181,7 @@ Result<LoadedScene> KioskStages::build(const PictureFile& file, const FoundView&
     LoadedScene result;
     result.facts = {map.title.empty() ? file.title : map.title,
                     static_cast<int>(map.outlines.size()), std::move(felt->warning), found.place};
+    result.facts.recordings = found.recordings;
     if (found.is_photo)
         result.facts.place.things = finder_ ? ThingSearch::under_way : ThingSearch::impossible;
     result.shown = {std::make_shared<const Scene>(std::move(*scene)),
@@ -212,7 +215,8 @@ FoundPtr KioskStages::reread(const FoundView& found) const {
     auto read = reader_(*found.view);
     if (!read) return nullptr;
     const FeltPart part = found.first ? found.first->part : FeltPart{};
-    return found_in(std::make_shared<const Page>(std::move(*read)), found.place, part)
+    return found_in(std::make_shared<const Page>(std::move(*read)), found.place, part,
+                    found.recordings)
         .value_or(nullptr);
 }
 

@@ -5,6 +5,7 @@
 
 #include "app/documents/decode/file_format.h"
 #include "app/documents/decode/page.h"
+#include "app/documents/packs/picture_recordings.h"
 #include "app/documents/trace/page_views.h"
 #include "app/documents/trace/tracing.h"
 #include "app/force/servo/servo_client.h"
@@ -12,6 +13,7 @@
 #include "app/visit/page_place.h"
 #include "config/types/pinned.h"
 #include "config/types/result.h"
+#include "config/types/tactile_map.h"
 #include "config/types/thing_name.h"
 #include "vision/simplify/zoom.h"
 
@@ -30,7 +32,8 @@ struct LoadedFacts {
     int outline_count = 0;
     std::string note;  // one sentence worth telling; may be empty
     PagePlace place = {1, 1, 1, 1};
-    std::vector<NamedThing> names = {};  // what the things of a photograph probably are
+    std::vector<NamedThing> names = {};    // what the things of a photograph probably are
+    PictureRecordingsPtr recordings = {};  // null: there are none
 };
 
 /// A file of the list. Two of them are the same only if they are the same object.
@@ -45,6 +48,8 @@ struct PictureFile {
     /// Raw bytes, if `title` was made from the file's name rather than by a person. Only
     /// spoken_name() may say them.
     std::string file_name = {};
+    /// Reads what is recorded of the words of a page. Called as open() is. Empty: nothing is.
+    std::function<PictureRecordingsPtr(const TactileMap& told)> recordings = {};
 };
 
 using FilePtr = std::shared_ptr<const PictureFile>;
@@ -71,9 +76,10 @@ struct FoundView {
     std::optional<TracedPart>
         first;  // traced with these lines: the part that was wanted when they were found
     std::shared_ptr<const Canvas> picture;
-    PagePlace place;        // every field is known
-    bool is_photo = false;  // nobody has looked for main things in it
-    std::size_t bytes = 0;  // roughly what it holds
+    PagePlace place;                       // every field is known
+    bool is_photo = false;                 // nobody has looked for main things in it
+    std::size_t bytes = 0;                 // roughly what it holds
+    PictureRecordingsPtr recordings = {};  // null: there are none
 };
 
 using FoundPtr = std::shared_ptr<const FoundView>;

@@ -125,6 +125,7 @@ void Speaker::carry_out(const SpeechOrder& order) {
     if (order.stop) {
         mixer_.speech().cut();
         voice_.stop();
+        pieces_.clear();
         samples_.clear();
         written_ = 0;
     }
@@ -135,9 +136,33 @@ void Speaker::carry_out(const SpeechOrder& order) {
         return;
     }
     const auto found = languages_.find(order.begin->language);
-    const SpokenLanguage spoken = found == languages_.end() ? SpokenLanguage{} : found->second;
-    voice_.begin(spoken.voice, respelled(order.begin->text, spoken.respellings),
-                 engine_rate(rate_, spoken.pace));
+    language_ = found == languages_.end() ? SpokenLanguage{} : found->second;
+    SpokenText text(order.begin->text);
+    text.recorded = order.begin->recorded;
+    for (SpeechPiece& piece : pieces_of(text)) pieces_.push_back(std::move(piece));
+    begin_pieces();
+}
+
+/// The voice makes the samples of a piece much faster than they are heard, so each piece begins as
+/// soon as the one before is made: nobody waits between two of them.
+void Speaker::begin_pieces() {
+    while (!pieces_.empty() && voice_.is_done()) {
+        const SpeechPiece piece = std::move(pieces_.front());
+        pieces_.pop_front();
+        if (!samples_.empty())
+            samples_.resize(samples_.size() + static_cast<std::size_t>(pause_s * frame_rate_Hz));
+        if (piece.recording)
+            play(*piece.recording);
+        else
+            voice_.begin(language_.voice, respelled(piece.words, language_.respellings),
+                         engine_rate(rate_, language_.pace));
+    }
+}
+
+void Speaker::play(const VoiceRecording& recording) {
+    samples_.reserve(samples_.size() + recording.samples.size());
+    for (const std::int16_t sample : recording.samples)
+        samples_.push_back(recording.gain * of_full_scale(sample));
 }
 
 void Speaker::say(const Utterance& utterance, double now_s) {
@@ -158,8 +183,9 @@ void Speaker::set_rate(std::size_t step) {
 
 void Speaker::step(double now_s) {
     voice_.receive(now_s, samples_);
+    begin_pieces();
     written_ += mixer_.speech().write(std::span<const float>(samples_).subspan(written_));
-    if (written_ < samples_.size() || !voice_.is_done()) return;
+    if (written_ < samples_.size() || !voice_.is_done() || !pieces_.empty()) return;
     samples_.clear();
     written_ = 0;
     if (queue_.current() && mixer_.speech().waiting() == 0) carry_out(queue_.finished(now_s));

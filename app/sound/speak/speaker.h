@@ -8,9 +8,11 @@
 #include "audio-cues/speech/recorded_prompts.h"
 #include "audio-cues/speech/speech_input.h"
 #include "audio-cues/speech/speech_queue.h"
+#include "audio-cues/speech/spoken_text.h"
 #include "audio-cues/synth/mixer.h"
 #include "config/types/pinned.h"
 
+#include <deque>
 #include <map>
 #include <optional>
 #include <string>
@@ -95,7 +97,11 @@ class Speaker {
     void stop(double now_s);
     void toggle_pause();
 
-    /// Takes effect from the next utterance on; clamped to the valid steps.
+    /// The silence before and after a recording that is a part of an utterance.
+    static constexpr double pause_s = 0.25;
+
+    /// Takes effect from the next utterance on, or from its next piece; clamped to the valid steps.
+    /// Recordings are heard at the speed at which they were made.
     void set_rate(std::size_t step);
 
     [[nodiscard]] std::size_t rate() const { return rate_; }
@@ -112,14 +118,18 @@ class Speaker {
 
   private:
     void carry_out(const SpeechOrder& order);
+    void begin_pieces();
+    void play(const VoiceRecording& recording);
 
     SpeechQueue queue_;
     VoiceProcess voice_;
     std::map<std::string, SpokenLanguage> languages_;
     RecordedPrompts prompts_;
     Mixer& mixer_;
-    std::vector<float> samples_;  // waiting for the mixer
-    std::size_t written_ = 0;     // how many of them it has
+    std::deque<SpeechPiece> pieces_;  // of the current utterance, that are not begun
+    SpokenLanguage language_;         // of the current utterance
+    std::vector<float> samples_;      // waiting for the mixer
+    std::size_t written_ = 0;         // how many of them it has
     std::size_t rate_ = default_speech_rate;
 };
 

@@ -35,7 +35,8 @@ fs::path own_folder_of_test() {
 
 }  // namespace
 
-KioskWorld::KioskWorld(bool is_in_window, Gallery gallery, ThingFinder finder)
+KioskWorld::KioskWorld(bool is_in_window, Gallery gallery, ThingFinder finder,
+                       const SoundMaker& make_sound)
     : folder_(own_folder_of_test()) {
     fs::remove_all(folder_);
     fs::create_directories(folder_ / "camera");
@@ -45,7 +46,7 @@ KioskWorld::KioskWorld(bool is_in_window, Gallery gallery, ThingFinder finder)
     parts.languages = all_languages();
     parts.gallery = std::move(gallery);
     parts.servo = std::move(servo);
-    parts.sound = std::make_unique<HeardSound>(heard_);
+    parts.sound = make_sound ? make_sound(heard_) : std::make_unique<HeardSound>(heard_);
     parts.profile = default_profile();
     parts.loader = std::make_unique<Loader>(
         std::make_shared<const KioskStages>(parts.profile, PageReader(), std::move(finder)),

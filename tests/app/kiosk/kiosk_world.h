@@ -10,18 +10,23 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace touchline {
 
+using SoundMaker =
+    std::function<std::unique_ptr<VisitorSound>(const std::shared_ptr<Heard>& heard)>;
+
 class KioskWorld : private Pinned {
   public:
     /// Speaks all languages. `is_in_window`: runs in a desktop window. `gallery`: in these
-    /// languages. `finder`: finds main things; empty: there is no network.
+    /// languages. `finder`: finds main things; empty: there is no network. `make_sound`: what is
+    /// heard instead of a sound that only tells heard().
     explicit KioskWorld(bool is_in_window = false, Gallery gallery = whole_gallery(all_languages()),
-                        ThingFinder finder = {});
+                        ThingFinder finder = {}, const SoundMaker& make_sound = {});
     ~KioskWorld();
 
     /// Passes time, frame by frame.

@@ -1,5 +1,7 @@
 #include "audio-cues/speech/espeak_engine.h"
 
+#include "audio-cues/output/outputs.h"
+#include "audio-cues/speech/recording.h"
 #include "audio-cues/words/language.h"
 #include "tests/audio-cues/spectrum.h"
 
@@ -71,6 +73,15 @@ TEST(EspeakEngine, SP6_SevenRatesInEveryLanguageAreWithinTenPercent) {
             last = measured;
             RecordProperty(code + std::to_string(step), std::to_string(measured));
         }
+    }
+}
+
+/// What the operator measures is of the voice; recordings are made as loud as it.
+TEST(EspeakEngine, EveryVoiceIsAsLoudAsRecordingsAreMade) {
+    for (const auto& [code, text] : reading) {
+        auto engine = EspeakEngine::start(Language::load(TOUCHLINE_CATALOGUES, code)->voice());
+        ASSERT_TRUE(engine) << engine.error().line;
+        EXPECT_NEAR(speech_level_dB(said(*engine, text)), -speech_below_full_dB, 2.0) << code;
     }
 }
 

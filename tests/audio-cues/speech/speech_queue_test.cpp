@@ -94,6 +94,39 @@ TEST(SpeechQueue, APauseIsOfWhatIsBeingSaidAndEndsWithIt) {
     EXPECT_FALSE(queue.is_paused());
 }
 
+/// Recordings of parts may last much longer than a hand stays on them.
+TEST(SpeechQueue, WhatTheHandIsOnTakesThePlaceOfWhatItWasOn) {
+    SpeechQueue queue;
+    const auto part = [](const std::string& name, SpeechPriority priority) {
+        Utterance utterance = text(name, priority);
+        utterance.is_of_hand = true;
+        return utterance;
+    };
+    (void)queue.say(text("screen"), 1.0);
+    (void)queue.say(part("roof", SpeechPriority::hint), 1.1);
+    (void)queue.say(text("other hint", SpeechPriority::hint), 1.2);
+    SpeechOrder order = queue.say(part("wall", SpeechPriority::hint), 1.3);
+    EXPECT_FALSE(order.stop) << "the screen is said to its end";
+    EXPECT_EQ(queue.finished(2.0).begin->text, "other hint") << "the hand has left the roof";
+    EXPECT_EQ(queue.finished(3.0).begin->text, "wall");
+    order = queue.say(part("door", SpeechPriority::hint), 3.1);
+    EXPECT_TRUE(order.stop);
+    EXPECT_EQ(order.begin->text, "door");
+    EXPECT_TRUE(queue.transcript().back().was_interrupted);
+    (void)queue.say(text("danger", SpeechPriority::safety), 3.2);
+    EXPECT_FALSE(queue.say(part("roof", SpeechPriority::hint), 3.3).stop);
+}
+
+TEST(SpeechQueue, SaysARecordingAgain) {
+    SpeechQueue queue;
+    Utterance utterance = text("A boat. 3 outlines.");
+    utterance.recorded = {{0, 6, std::make_shared<const VoiceRecording>()}};
+    (void)queue.say(utterance, 1.0);
+    EXPECT_EQ(queue.current()->recorded, utterance.recorded);
+    (void)queue.finished(2.0);
+    EXPECT_EQ(queue.repeat(3.0).begin->recorded, utterance.recorded);
+}
+
 TEST(SpeechQueue, NeverGrowsWithoutEnd) {
     SpeechQueue queue;
     for (int i = 0; i < 1000; ++i) {

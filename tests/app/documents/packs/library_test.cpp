@@ -1,12 +1,14 @@
 // Tests packs as they are installed, replaced, listed and heard.
 #include "app/documents/packs/pack.h"
 #include "app/documents/packs/pack_library.h"
-#include "audio-cues/speech/recorded_prompts.h"
 #include "audio-cues/words/language.h"
 #include "tests/app/documents/packs/made_packs.h"
 #include "tests/config/scratch_folder.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
+#include <sndfile.h>
 #include <unistd.h>
 
 namespace touchline {
@@ -112,27 +114,79 @@ TEST(Library, IsListedInALanguage) {
     EXPECT_EQ(map->outlines[1].label, "Segel");
 }
 
+/// What is recorded of the picture, as the kiosk asks for it.
+PictureRecordingsPtr recorded(const LibraryPicture& picture, const std::string& language,
+                              std::vector<PackFinding>& problems) {
+    const auto map = read_pack_map(picture.entry.path, {language});
+    EXPECT_TRUE(map.has_value());
+    return map ? recordings_of(picture, *map, {language}, problems) : nullptr;
+}
+
 TEST(Library, RecordingsTakeThePlaceOfTheVoice) {
     const ScratchFolder library;
     ASSERT_TRUE(import_pack(example(), library.path()).has_value());
     std::vector<PackFinding> problems;
     const auto pictures = list_library(library.path(), {"en"}, problems);
     ASSERT_EQ(pictures.size(), 2U);
-    RecordedPrompts prompts;
-    for (const LibraryPicture& picture : pictures)
-        for (RecordedText& recorded : recorded_texts(picture, {"en"}, problems))
-            prompts.add(recorded.language, recorded.text, std::move(recorded.samples));
+    const auto circle = recorded(pictures[0], "en", problems);
+    ASSERT_NE(circle, nullptr);
+    EXPECT_NE(circle->description, nullptr);
+    EXPECT_EQ(circle->title, nullptr);
+    EXPECT_TRUE(circle->parts.empty());
+    const auto boat = recorded(pictures[1], "en", problems);
+    ASSERT_NE(boat, nullptr);
+    ASSERT_EQ(boat->parts.size(), 1U);
+    EXPECT_EQ(boat->parts[0].first, "Sail");
+    EXPECT_GT(boat->parts[0].second->samples.size(), 10000U);
+    EXPECT_EQ(recorded(pictures[1], "de", problems), nullptr);
     EXPECT_TRUE(problems.empty());
-    EXPECT_EQ(prompts.size(), 2U);
-    Utterance utterance;
-    utterance.language = "en";
-    utterance.text = "Sail";
-    const auto* samples = prompts.of(utterance);
-    ASSERT_NE(samples, nullptr);
-    EXPECT_GT(samples->size(), 10000U);
-    utterance.text = pictures[0].entry.description;
-    EXPECT_NE(prompts.of(utterance), nullptr);
-    EXPECT_TRUE(recorded_texts(pictures[0], {"de"}, problems).empty());
+}
+
+/// The example, with a recording of the boat's title.
+Pack with_title(const std::string& language, double long_s) {
+    Pack pack = with_version(example(), {1, 0, 0});
+    const int wav = SF_FORMAT_WAV | SF_FORMAT_PCM_16;
+    pack.info.sounds.push_back({"voices/title.wav", "boat.svg", language, SoundText::title, {}});
+    pack.files.push_back({"voices/title.wav", made::recording(wav, 22050, long_s)});
+    std::ranges::sort(pack.files, {}, &PackFile::name);
+    return with_version(std::move(pack), {1, 0, 0});
+}
+
+TEST(Library, ARecordingServesTheFormsOfItsLanguage) {
+    const ScratchFolder library;
+    ASSERT_TRUE(import_pack(with_title("de-AT", 1.0), library.path()).has_value());
+    std::vector<PackFinding> problems;
+    for (const char* const language : {"de", "de-at", "de-CH"}) {
+        const auto pictures = list_library(library.path(), {language}, problems);
+        ASSERT_EQ(pictures.size(), 2U);
+        EXPECT_EQ(pictures[0].title_recording, nullptr);
+        EXPECT_NE(pictures[1].title_recording, nullptr) << language;
+        EXPECT_NE(recorded(pictures[1], language, problems)->title, nullptr);
+    }
+    EXPECT_EQ(list_library(library.path(), {"en"}, problems)[1].title_recording, nullptr);
+}
+
+TEST(Library, ALongTitleIsHeardWithItsPictureAlone) {
+    const ScratchFolder library;
+    ASSERT_TRUE(import_pack(with_title("en", 6.0), library.path()).has_value());
+    std::vector<PackFinding> problems;
+    const auto pictures = list_library(library.path(), {"en"}, problems);
+    EXPECT_EQ(pictures[1].title_recording, nullptr);
+    EXPECT_NEAR(length_s(*recorded(pictures[1], "en", problems)->title), 6.0, 0.01);
+}
+
+TEST(Library, ADamagedRecordingIsAProblemAndNoSound) {
+    const ScratchFolder library;
+    ASSERT_TRUE(import_pack(with_title("en", 1.0), library.path()).has_value());
+    library.write("shapes-and-a-boat/voices/title.wav", "RIFF....WAVE");
+    library.write("shapes-and-a-boat/voices/sail-en.flac", "");
+    std::vector<PackFinding> problems;
+    const auto pictures = list_library(library.path(), {"en"}, problems);
+    ASSERT_EQ(pictures.size(), 2U);
+    EXPECT_EQ(pictures[1].title_recording, nullptr);
+    EXPECT_EQ(recorded(pictures[1], "en", problems), nullptr);
+    ASSERT_EQ(problems.size(), 3U) << "in the list, and twice with the picture";
+    EXPECT_EQ(problems[0].file, "title.wav");
 }
 
 TEST(Check, PartsThatARecordingNamesMustBeThere) {

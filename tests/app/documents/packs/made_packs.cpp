@@ -128,7 +128,8 @@ std::vector<Member> small_pack() {
     return {table, picture};
 }
 
-Bytes recording(int format, int rate_Hz, double length_s, int channels, float loudness) {
+Bytes recording(int format, int rate_Hz, double length_s, int channels, float loudness,
+                float tone_Hz) {
     SF_INFO info{};
     info.samplerate = rate_Hz;
     info.channels = channels;
@@ -142,7 +143,7 @@ Bytes recording(int format, int rate_Hz, double length_s, int channels, float lo
     for (int i = 0; i < frames; ++i)
         for (int c = 0; c < channels; ++c)
             samples.push_back(loudness *
-                              std::sin(2.0F * 3.14159265F * 440.0F * static_cast<float>(i) /
+                              std::sin(2.0F * 3.14159265F * tone_Hz * static_cast<float>(i) /
                                        static_cast<float>(rate_Hz)));
     sf_writef_float(file, samples.data(), frames);
     sf_close(file);

@@ -37,10 +37,10 @@ struct Member {
 /// Returns a pack.toml and one picture.
 [[nodiscard]] std::vector<Member> small_pack();
 
-/// Returns a tone of 440 Hz, the same in every channel. `format`: libsndfile's, such as
+/// Returns a tone, the same in every channel. `format`: libsndfile's, such as
 /// SF_FORMAT_WAV | SF_FORMAT_PCM_16.
 [[nodiscard]] Bytes recording(int format, int rate_Hz, double length_s, int channels = 1,
-                              float loudness = 0.5F);
+                              float loudness = 0.5F, float tone_Hz = 440.0F);
 
 [[nodiscard]] Bytes ogg();
 

@@ -5,6 +5,7 @@
 #include "tests/config/scratch_folder.h"
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -157,6 +158,71 @@ TEST_F(SpeakerTest, SP8_ARecordedPromptIsHeardInsteadOfTheVoice) {
     speaker.say(text("No."), now_s_);
     wait_for_sound();
     EXPECT_GT(speaker.voice().pid(), 0) << "nobody recorded this";
+}
+
+VoiceRecordingPtr tone(double long_s) {
+    std::vector<std::int16_t> samples(static_cast<std::size_t>(long_s * frame_rate_Hz), 8192);
+    return std::make_shared<const VoiceRecording>(VoiceRecording{std::move(samples), 2.0F});
+}
+
+Utterance boat(double title_s) {
+    return {"en",
+            "A boat. At sea. One outline.",
+            SpeechPriority::text,
+            {{0, 6, tone(title_s)}, {8, 15, tone(0.25)}}};
+}
+
+TEST_F(SpeakerTest, RecordingsAndTheVoiceTakeTurns) {
+    Speaker& speaker = start();
+    speaker.say(boat(0.5), now_s_);
+    EXPECT_EQ(speaker.queue().current()->text, "A boat. At sea. One outline.");
+    wait_for_sound();
+    wait_for_end();
+    const auto first = all_.begin() + static_cast<std::ptrdiff_t>(first_sound(all_));
+    const auto level = 2.0F * of_full_scale(8192) / std::sqrt(2.0F);  // of one ear
+    const auto run_of = [&](auto from, float value) {
+        const auto is_other = [&](float sample) { return std::abs(sample - value) > 1e-3F; };
+        return std::find_if(from, all_.end(), is_other);
+    };
+    const auto title_end = run_of(first, level);
+    EXPECT_EQ(title_end - first, 24000) << "the title as long as it was recorded";
+    const auto pause_end = run_of(title_end, 0.0F);
+    EXPECT_EQ(pause_end - title_end, 12000) << "a short silence";
+    const auto description_end = run_of(pause_end, level);
+    EXPECT_EQ(description_end - pause_end, 12000) << "then the description";
+    const std::vector<float> rest(description_end, all_.end());
+    const std::size_t voice = first_sound(rest);
+    EXPECT_GE(voice, 12000U);
+    EXPECT_LT(voice, 24000U) << "nobody waits for the voice";
+    EXPECT_GT(peak(rest), 0.05F) << "which says what nobody recorded";
+    EXPECT_EQ(speaker.queue().transcript().size(), 1U);
+}
+
+TEST_F(SpeakerTest, AKeySilencesARecordingWithinFiftyMilliseconds) {
+    Speaker& speaker = start();
+    speaker.say(boat(10.0), now_s_);
+    wait_for_sound();
+    for (int i = 0; i < 30; ++i) EXPECT_GT(peak(step()), 0.1F);
+    speaker.stop(now_s_);
+    std::vector<float> after;
+    for (int i = 0; i < 100; ++i) {
+        const auto sound = step();
+        after.insert(after.end(), sound.begin(), sound.end());
+    }
+    EXPECT_EQ(rms(std::span(after).subspan(2400)), 0.0) << "nor does anything after it sound";
+    EXPECT_TRUE(speaker.queue().transcript().back().was_interrupted);
+    EXPECT_TRUE(speaker.voice().is_done()) << "what it had ready is dropped";
+}
+
+TEST_F(SpeakerTest, TheRateIsTheVoicesAlone) {
+    for (const std::size_t rate : {std::size_t{0}, speech_rates_per_minute.size() - 1}) {
+        Speaker& speaker = start();
+        all_.clear();
+        speaker.set_rate(rate);
+        speaker.say({"en", "A boat", SpeechPriority::text, {{0, 6, tone(0.5)}}}, now_s_);
+        wait_for_end();
+        EXPECT_EQ(std::ranges::count_if(all_, [](float sample) { return sample != 0.0F; }), 24000);
+    }
 }
 
 TEST_F(SpeakerTest, PauseKeepsTheRestAndASecondPressGoesOn) {
