@@ -120,14 +120,16 @@ struct SettingsCommandOptions {
 // touchline pack: picture packs, for people who make and install them.
 
 /// check: every finding about a pack, one sentence per line. import: installs it into the library.
-/// export: writes a folder as a zip file.
-enum class PackAction : std::uint8_t { check, import, write };
+/// export: writes a folder as a zip file. make: the same for a curator's folder of pictures, texts
+/// and recordings. attempt: installs it into a library that only this run has, for a kiosk in a
+/// window.
+enum class PackAction : std::uint8_t { check, import, write, make, attempt };
 
 struct PackCommandOptions {
     PackAction action = PackAction::check;
     std::string input;
-    std::string output;   // for export
-    std::string library;  // for import; empty: the user's
+    std::string output;   // for export and make
+    std::string library;  // for import and attempt; empty: the user's
     std::string
         image_language;  // for export: as layered pictures of the IMAGE project; empty: unchanged
     bool takes_older = false;  // for import: also over a newer version

@@ -3,11 +3,16 @@
 #include "app/cli/commands.h"
 #include "app/documents/packs/pack.h"
 #include "config/types/hand_state.h"
+#include "config/types/pinned.h"
 #include "config/types/utf8.h"
 #include "haptics/pantograph/profile.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <filesystem>
 #include <ostream>
+#include <sstream>
+#include <system_error>
 #include <utility>
 
 #include <CLI/CLI.hpp>
@@ -19,6 +24,29 @@ namespace {
 constexpr int done = 0;
 constexpr int unusable_input = 1;
 constexpr int wrong_usage = 2;
+
+/// A folder for temporary files that goes with its owner.
+class OwnFolder : Pinned {
+  public:
+    OwnFolder() {
+        std::error_code error;
+        const auto parent = std::filesystem::temp_directory_path(error);
+        std::string pattern = (parent / "touchline-XXXXXX").string();
+        if (!error && ::mkdtemp(pattern.data()) != nullptr) path_ = pattern;
+    }
+
+    ~OwnFolder() {
+        std::error_code error;
+        if (is_there()) std::filesystem::remove_all(path_, error);
+    }
+
+    [[nodiscard]] bool is_there() const { return !path_.empty(); }
+
+    [[nodiscard]] const std::string& path() const { return path_; }
+
+  private:
+    std::string path_;
+};
 
 /// "116x84", millimetres.
 std::string parse_area(const std::string& text, Area& area) {
@@ -292,6 +320,14 @@ class CommandLine {
         taken->add_flag("--take-older", pack_.takes_older, "Even over a newer version");
         auto* written = add("export", PackAction::write, "A folder as a zip file");
         written->add_option("-o", pack_.output, "FILE.zip")->required();
+        add_action(*pack_command_, pack_.action, "try", PackAction::attempt,
+                   "Hear and feel a pack in a window, before it is installed anywhere")
+            ->add_option("pack", pack_.input, "A folder or a zip file")
+            ->required();
+        auto* made = add_action(*pack_command_, pack_.action, "make", PackAction::make,
+                                "A pack from a folder of pictures, texts and recordings");
+        made->add_option("folder", pack_.input, "Its guide: see touchline(1)")->required();
+        made->add_option("-o", pack_.output, "FILE.zip")->required();
         written
             ->add_option("--image", pack_.image_language,
                          "As layered pictures of the IMAGE project, in this language")
@@ -332,7 +368,7 @@ class CommandLine {
         if (tour_command_->parsed()) return finish(programs.tour(tour_), err);
         if (device_command_->parsed()) return start_device(out, err);
         if (settings_command_->parsed()) return start_settings(out, err);
-        if (pack_command_->parsed()) return finish(run_pack(pack_, out), err);
+        if (pack_command_->parsed()) return start_pack(programs, out, err);
         if (models_command_->parsed()) return finish(run_models(models_, std::cin, out), err);
         return programs.kiosk(kiosk_);
     }
@@ -356,6 +392,23 @@ class CommandLine {
             return wrong_usage;
         }
         return finish(run_feel(feel_), err);
+    }
+
+    int start_pack(const Programs& programs, std::ostream& out, std::ostream& err) {
+        if (pack_.action != PackAction::attempt) return finish(run_pack(pack_, out), err);
+        const OwnFolder library;
+        if (!library.is_there()) {
+            tell(err, "no folder can be made for temporary files; check the disk and its rights");
+            return unusable_input;
+        }
+        pack_.library = library.path();
+        std::ostringstream installed;  // where nobody else can find it
+        const int status = finish(run_pack(pack_, installed), err);
+        if (status != done) return status;
+        KioskArguments kiosk;
+        kiosk.in_window = true;
+        kiosk.tried_library = library.path();
+        return programs.kiosk(kiosk);
     }
 
     int start_settings(std::ostream& out, std::ostream& err) {

@@ -16,6 +16,8 @@ struct KioskArguments {
     bool in_window = false;           // false: full screen
     std::vector<std::string> files;   // pictures, and folders of them, to offer as a stick would
     std::optional<double> measure_s;  // run this long, print ticks and frames, and end
+    /// A library of packs that is offered instead of the gallery and the user's packs; empty: none.
+    std::string tried_library = {};
 };
 
 struct TourArguments {

@@ -98,6 +98,16 @@ Result<void> read_drawings(Gallery& gallery, const std::vector<GalleryEntry>& en
     return {};
 }
 
+/// The practice shapes, and the picture of the attract screen, stay.
+void leave_packs_alone(Gallery& gallery) {
+    const auto count = static_cast<std::ptrdiff_t>(gallery.lines.size());
+    for (auto& titles : gallery.titles) titles.erase(titles.begin(), titles.begin() + count);
+    // Behind the list nobody chooses them, and practice finds its words in every language.
+    for (auto& files : gallery.files)
+        std::rotate(files.begin(), files.begin() + count, files.end());
+    gallery.lines.clear();
+}
+
 /// True if the order is for another part or detail of what the visitor brought.
 bool is_of_same_file(const LoadPicture& order, const Visitor& visitor) {
     const auto& loading = visitor.loading;
@@ -116,7 +126,7 @@ std::string told_reason(const std::string& line, const std::string& name,
 }  // namespace
 
 Result<Gallery> read_gallery(const std::string& folder, const std::string& library,
-                             const std::vector<Language>& languages) {
+                             const std::vector<Language>& languages, Offered offered) {
     Gallery gallery;
     for (const Language& language : languages) {
         const LanguageTag tag{language.code()};
@@ -146,6 +156,7 @@ Result<Gallery> read_gallery(const std::string& folder, const std::string& libra
     }
     gallery.circle = named(gallery.files.front(), "-circle.svg");
     gallery.square = named(gallery.files.front(), "-square.svg");
+    if (offered == Offered::packs) leave_packs_alone(gallery);
     return gallery;
 }
 

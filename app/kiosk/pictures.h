@@ -32,11 +32,15 @@ struct Gallery {
     AttractPicture attract;                         // shown while nobody is here
 };
 
+/// What can be chosen under Gallery: its pictures and those of packs, or of packs alone.
+enum class Offered : std::uint8_t { all, packs };
+
 /// The maps of `folder` in every language, then the pictures of the packs in `library`
 /// (app/documents/packs; empty: none). Fails with one line if the folder cannot be used. Waits for
-/// one worker per picture of a pack.
+/// one worker per picture of a pack, and per recorded title.
 [[nodiscard]] Result<Gallery> read_gallery(const std::string& folder, const std::string& library,
-                                           const std::vector<Language>& languages);
+                                           const std::vector<Language>& languages,
+                                           Offered offered = Offered::all);
 
 class Pictures {
   public:

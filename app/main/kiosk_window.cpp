@@ -209,7 +209,10 @@ class KioskWindow {
         if (!servo) return tl::unexpected(servo.error());
         report(servo->note);
         sound_.languages = offered(std::move(sound_.languages), settings_.languages);
-        auto gallery = read_gallery(gallery_folder(), library_folder(), sound_.languages);
+        const std::string& tried = arguments_.tried_library;
+        auto gallery =
+            read_gallery(gallery_folder(), tried.empty() ? library_folder() : tried,
+                         sound_.languages, tried.empty() ? Offered::all : Offered::packs);
         if (!gallery) return tl::unexpected(gallery.error());
 
         KioskParts parts;

@@ -207,6 +207,9 @@ struct Pack {
 /// Null if it is not in the pack. O(log files).
 [[nodiscard]] const PackFile* find_file(const Pack& pack, const std::string& name);
 
+/// Reads "1", "1.2" or "1.2.3"; nothing for any other text.
+[[nodiscard]] std::optional<PackVersion> version_of(std::string_view text);
+
 /// "1.2.0"
 [[nodiscard]] std::string text_of(const PackVersion& version);
 

@@ -49,21 +49,6 @@ bool is_id(std::string_view id) {
            id.back() != '-';
 }
 
-/// "1", "1.2" or "1.2.3".
-std::optional<PackVersion> version_in(std::string_view text) {
-    PackVersion version;
-    int* const places[]{&version.major, &version.minor, &version.patch};
-    for (int* place : places) {
-        const auto dot = std::min(text.find('.'), text.size());
-        const auto number = number_in(text.substr(0, dot), 0, 9999);
-        if (!number) return std::nullopt;
-        *place = *number;
-        if (dot == text.size()) return version;
-        text.remove_prefix(dot + 1);
-    }
-    return std::nullopt;
-}
-
 void check_keys(const toml::table& table, std::initializer_list<std::string_view> known) {
     for (const auto& [key, node] : table)
         if (std::ranges::find(known, key.str()) == known.end())
@@ -207,8 +192,8 @@ PackInfo info_in(const toml::table& table) {
     info.title = titles_in(table);
     info.author = text_at(table, "author", is_text);
     info.licence = text_at(table, "licence", is_text);
-    info.version = *version_in(text_at(
-        table, "version", [](const std::string& text) { return version_in(text).has_value(); }));
+    info.version = *version_of(text_at(
+        table, "version", [](const std::string& text) { return version_of(text).has_value(); }));
     info.languages = languages_in(table);
     info.pictures = items_in(table, "picture", pack_limits.pictures, picture_in);
     if (info.pictures.empty()) refuse(FindingKind::toml_missing, table, "[[picture]]");
@@ -247,6 +232,20 @@ std::string sound_as_toml(const PackSound& sound) {
 }
 
 }  // namespace
+
+std::optional<PackVersion> version_of(std::string_view text) {
+    PackVersion version;
+    int* const places[]{&version.major, &version.minor, &version.patch};
+    for (int* place : places) {
+        const auto dot = std::min(text.find('.'), text.size());
+        const auto number = number_in(text.substr(0, dot), 0, 9999);
+        if (!number) return std::nullopt;
+        *place = *number;
+        if (dot == text.size()) return version;
+        text.remove_prefix(dot + 1);
+    }
+    return std::nullopt;
+}
 
 bool is_language_tag(std::string_view tag) {
     if (tag.size() > 35) return false;

@@ -170,7 +170,7 @@ TEST_F(RecordedVisit, WithoutARecordingInTheLanguageTheVoiceSaysIt) {
 TEST_F(RecordedVisit, APartIsHeardWhileTheHandIsOnIt) {
     open_cutter();
     visitor_->press(KeyRole::down);
-    world_->run(5.0);
+    world_->run(9.0);  // to the end of what the key made it say
     feel(58.0, 10.0);
     ASSERT_TRUE(visitor_->wait_for("Sail")) << visitor_->heard();
     world_->run(1.5);
