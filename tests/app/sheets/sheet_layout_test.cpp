@@ -12,7 +12,6 @@
 #include <map>
 
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 namespace touchline {
 namespace {
@@ -243,7 +242,7 @@ TEST(SheetLayout, ACrowdIsToldRatherThanSqueezed) {
     EXPECT_GT(sheet.unlabelled.size(), 5U);
     std::size_t named = 0;
     for (const BrailleBlock& block : sheet.pages.front().blocks)
-        named += block.words.starts_with("A part") ? 1 : 0;
+        if (block.words.starts_with("A part")) ++named;
     EXPECT_EQ(named + sheet.unlabelled.size(), 40U);
     const auto& blocks = sheet.pages.front().blocks;
     for (std::size_t i = 0; i < blocks.size(); ++i)
