@@ -222,6 +222,7 @@ Result<DrawnPage> drawn_at(const SheetMatter& matter, PaperSize size, double sca
 
 /// The largest scale at which the lines fit into a zone; 0 if there is none.
 double largest_scale(const InkBox& ink, const PaperBox& zone) {
+    if (std::min(zone.width_mm(), zone.height_mm()) <= outer_line_mm) return 0.0;
     const Position size = 1000.0 * (ink.high - ink.low);
     const auto fit = [](double room_mm, double ink_mm) {
         return ink_mm > 0.0 ? (room_mm - outer_line_mm) / ink_mm : most_scale;
