@@ -3,6 +3,8 @@
 #pragma once
 
 #include "app/cli/load.h"
+#include "app/sheets/braille_lines.h"
+#include "app/sheets/tactile_sheet.h"
 #include "config/types/result.h"
 #include "haptics/contact/proxy_state.h"
 #include "haptics/curve/curve_set.h"
@@ -31,6 +33,29 @@ struct TraceCommandOptions {
 /// Writes the map and the other requested files, each whole or not at all. Returns one sentence
 /// worth telling the user (outlines cut to the budget), else an empty text.
 [[nodiscard]] Result<std::string> run_trace(const TraceCommandOptions& options);
+
+// touchline print: writes a sheet to take home, for swell paper or an embosser.
+
+struct PrintCommandOptions {
+    std::string input;   // a picture, whatever its name
+    std::string output;  // its ending chooses the format
+    ViewChoice view;     // of the first page
+    TraceOptions trace;
+    PaperKind paper = PaperKind::a4;
+    std::string language = "en";  // of a catalogue
+    BrailleGrade grade = BrailleGrade::uncontracted;
+};
+
+/// pdf: all pages. svg: the drawing alone. brf: words, and the lines in dots of text. ubrl: the
+/// lines in an embosser's graphic mode, for CUPS. index: words and lines for an Index embosser.
+enum class SheetFormat : std::uint8_t { pdf, svg, brf, ubrl, index };
+
+/// By the ending of a name; nothing for any other.
+[[nodiscard]] std::optional<SheetFormat> sheet_format_of(const std::string& path);
+
+/// Traces the picture as `trace` does, and writes the sheet whole or not at all. Returns one
+/// sentence worth telling the user, else an empty text.
+[[nodiscard]] Result<std::string> run_print(const PrintCommandOptions& options);
 
 // touchline curve: writes the multiresolution curve of a picture or map at one level, as a map.
 

@@ -148,6 +148,7 @@ class CommandLine {
                         "Pictures, and folders of them, to offer as a USB stick would")
             ->check(CLI::ExistingPath);
         add_trace();
+        add_print();
         add_curve();
         add_feel();
         add_tour();
@@ -176,21 +177,25 @@ class CommandLine {
     }
 
   private:
+    void add_view(CLI::App& command, ViewChoice& chosen) {
+        command
+            .add_option("--view", view_,
+                        "whole, figure (a photograph's main thing), or a number in the kiosk's "
+                        "order; else its first")
+            ->check([&chosen](const std::string& text) {
+                const auto view = view_choice_of(text);
+                if (view) chosen = *view;
+                return view ? "" : text + " is no view: whole, figure, or a number from 1 to 101";
+            });
+    }
+
     void add_trace() {
         trace_command_ = app_.add_subcommand("trace", "Outlines of a picture as a map");
         add_input(*trace_command_, trace_.input, nullptr);
         trace_command_->add_option("-o", trace_.output, "MAP.svg")->required();
         trace_command_->add_option("--detail", trace_.trace.detail, "1 silhouette ... 5 all")
             ->check(CLI::Range(1, 5));
-        trace_command_
-            ->add_option("--view", view_,
-                         "whole, figure (a photograph's main thing), or a number in the kiosk's "
-                         "order; else its first")
-            ->check([this](const std::string& text) {
-                const auto view = view_choice_of(text);
-                if (view) trace_.view = *view;
-                return view ? "" : text + " is no view: whole, figure, or a number from 1 to 101";
-            });
+        add_view(*trace_command_, trace_.view);
         trace_command_->add_option("--area", area_, "Drawing area in millimetres, like 116x84")
             ->check(
                 [this](const std::string& text) { return parse_area(text, trace_.trace.area); });
@@ -202,6 +207,47 @@ class CommandLine {
             ->add_option("--class", class_, "photo, diagram, drawing or text-page; else decided")
             ->check([this](const std::string& text) {
                 return parse_class(text, trace_.trace.picture_class);
+            });
+    }
+
+    void add_print() {
+        print_command_ =
+            app_.add_subcommand("print", "A sheet to take home, for swell paper or an embosser");
+        add_input(*print_command_, print_.input, nullptr);
+        print_command_
+            ->add_option("-o", print_.output,
+                         "SHEET.pdf or .svg for swell paper; .brf for any embosser; .ubrl for "
+                         "CUPS; .index for an Index embosser")
+            ->required()
+            ->check([](const std::string& text) {
+                return sheet_format_of(text)
+                           ? ""
+                           : text +
+                                 " is no sheet; write a name that ends in .pdf, .svg, .brf, "
+                                 ".ubrl or .index";
+            });
+        print_command_->add_option("--detail", print_.trace.detail, "1 silhouette ... 5 all")
+            ->check(CLI::Range(1, 5));
+        add_view(*print_command_, print_.view);
+        print_command_->add_option("--paper", paper_, "a4 or letter")
+            ->check([this](const std::string& text) {
+                print_.paper = text == "letter" ? PaperKind::letter : PaperKind::a4;
+                return text == "a4" || text == "letter" ? ""
+                                                        : text + " is no paper; write a4 or letter";
+            });
+        print_command_->add_option("--language", print_.language, "en, de, es, fr or it")
+            ->check([](const std::string& text) {
+                return has_braille(text) && text.size() == 2
+                           ? ""
+                           : text + " is no language of a sheet; write en, de, es, fr or it";
+            });
+        print_command_->add_option("--grade", grade_, "Braille: uncontracted or contracted")
+            ->check([this](const std::string& text) {
+                print_.grade =
+                    text == "contracted" ? BrailleGrade::contracted : BrailleGrade::uncontracted;
+                return text == "contracted" || text == "uncontracted"
+                           ? ""
+                           : text + " is no braille; write uncontracted or contracted";
             });
     }
 
@@ -360,6 +406,12 @@ class CommandLine {
             }),
                           err);
         }
+        if (print_command_->parsed()) {
+            return finish(run_print(print_).map([&err](const std::string& note) {
+                if (!note.empty()) tell(err, note);
+            }),
+                          err);
+        }
         if (curve_command_->parsed()) {
             curve_.curves.denoise_m = denoise_mm_ / 1000.0;
             return finish(run_curve(curve_), err);
@@ -438,6 +490,7 @@ class CommandLine {
 
     CLI::App app_{"Feel the outlines of a picture with a force-feedback pantograph", "touchline"};
     CLI::App* trace_command_ = nullptr;
+    CLI::App* print_command_ = nullptr;
     CLI::App* curve_command_ = nullptr;
     CLI::App* feel_command_ = nullptr;
     CLI::App* tour_command_ = nullptr;
@@ -448,6 +501,7 @@ class CommandLine {
     KioskArguments kiosk_;
     TourArguments tour_;
     TraceCommandOptions trace_;
+    PrintCommandOptions print_;
     CurveCommandOptions curve_;
     FeelOptions feel_;
     DeviceCommandOptions device_;
@@ -458,6 +512,8 @@ class CommandLine {
     std::string area_;
     std::string view_;
     std::string class_;
+    std::string paper_;
+    std::string grade_;
     std::string level_;
     std::string mode_;
     double denoise_mm_ = 0.0;

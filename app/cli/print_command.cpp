@@ -1,0 +1,130 @@
+#include "app/cli/commands.h"
+#include "app/documents/decode/files.h"
+#include "app/documents/decode/map_svg.h"
+#include "app/documents/decode/one_line.h"
+#include "app/documents/trace/page_views.h"
+#include "app/sheets/braille_sheet.h"
+#include "app/sheets/sheet_drawing.h"
+#include "app/sheets/sheet_layout.h"
+#include "app/sound/catalogues.h"
+#include "audio-cues/words/language.h"
+#include "config/types/utf8.h"
+
+#include <array>
+#include <filesystem>
+#include <span>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace touchline {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, SheetFormat>, 5> sheet_endings{
+    {{".pdf", SheetFormat::pdf},
+     {".svg", SheetFormat::svg},
+     {".brf", SheetFormat::brf},
+     {".ubrl", SheetFormat::ubrl},
+     {".index", SheetFormat::index}}};
+
+/// The map that is printed, and a note for the user.
+struct PrintedMap {
+    TactileMap map;
+    std::string note;
+};
+
+/// A map of Touchline's own in another language: the worker has read it before.
+Result<TactileMap> own_map_in(const std::string& path, const std::string& language, int detail) {
+    return read_map_svg(path, {language}).and_then([detail](TactileMap map) {
+        return shown_at(std::move(map), detail);
+    });
+}
+
+Result<PrintedMap> printed_map(const PrintCommandOptions& options, const Language& language) {
+    const auto seen = open_view(options.input, options.view);
+    if (!seen) return tl::unexpected(seen.error());
+    PrintedMap printed;
+    printed.note = seen->note;
+    if (is_own_map(seen->page) && !seen->is_face && options.language != "en") {
+        auto map = own_map_in(options.input, options.language, options.trace.detail);
+        if (!map) return tl::unexpected(map.error());
+        printed.map = std::move(*map);
+    } else {
+        auto traced = trace_view(*seen, {options.trace});
+        if (!traced) return tl::unexpected(traced.error());
+        printed.map = std::move(traced->map);
+        if (printed.note.empty()) printed.note = traced->warning;
+    }
+    const bool is_whole = options.view.kind == ViewChoice::Kind::first ||
+                          options.view.kind == ViewChoice::Kind::whole;
+    if (printed.map.description.empty() && seen->things && is_whole)
+        printed.map.description = words_of(std::span(seen->things->names), language);
+    if (printed.map.title.empty())
+        printed.map.title = plain_line(std::filesystem::path(options.input).stem().string());
+    return printed;
+}
+
+Result<std::vector<std::byte>> bytes_of(const std::string& text) {
+    const auto bytes = std::as_bytes(std::span(text));
+    return std::vector<std::byte>(bytes.begin(), bytes.end());
+}
+
+/// The file's bytes.
+Result<std::vector<std::byte>> sheet_of(const TactileMap& map, const PrintCommandOptions& options,
+                                        const Language& language) {
+    const BrailleHand hand{options.language, options.grade};
+    switch (*sheet_format_of(options.output)) {
+        case SheetFormat::pdf:
+            return tactile_sheet(map, {options.paper, hand}, language)
+                .and_then([&map](const TactileSheet& sheet) { return pdf_of(sheet, map.title); });
+        case SheetFormat::svg:
+            return tactile_sheet(map, {options.paper, hand}, language)
+                .and_then([](const TactileSheet& sheet) { return svg_of(sheet.pages.front()); });
+        case SheetFormat::brf: {
+            auto words = word_pages(map, hand, language);
+            if (!words) return tl::unexpected(words.error());
+            const auto drawing = drawing_pages(map, hand);
+            if (!drawing) return tl::unexpected(drawing.error());
+            words->insert(words->end(), drawing->begin(), drawing->end());
+            return bytes_of(brf_of(*words));
+        }
+        case SheetFormat::ubrl:
+            return dots_of(map, graphic_lattice(options.paper))
+                .and_then([](const DotPicture& dots) { return bytes_of(ubrl_of(dots)); });
+        case SheetFormat::index: {
+            const auto words = word_pages(map, hand, language);
+            if (!words) return tl::unexpected(words.error());
+            return dots_of(map, graphic_lattice(options.paper))
+                .and_then([&](const DotPicture& dots) { return bytes_of(index_of(*words, dots)); });
+        }
+    }
+    return failure("this kind of sheet is not known");
+}
+
+}  // namespace
+
+std::optional<SheetFormat> sheet_format_of(const std::string& path) {
+    const std::string name = in_small_letters(path);
+    for (const auto& [ending, format] : sheet_endings)
+        if (name.size() > ending.size() && name.ends_with(ending)) return format;
+    return std::nullopt;
+}
+
+Result<std::string> run_print(const PrintCommandOptions& options) {
+    if (!sheet_format_of(options.output))
+        return failure(options.output +
+                       ": is no sheet; let its name end in .pdf, .svg, .brf, .ubrl or .index");
+    const auto language = Language::load(words_folder().string(), options.language);
+    if (!language)
+        return failure(
+            fmt::format("there are no words in the language {}; 'touchline print' "
+                        "writes in en, de, es, fr and it",
+                        options.language));
+    const auto printed = printed_map(options, *language);
+    if (!printed) return tl::unexpected(printed.error());
+    const auto bytes = sheet_of(printed->map, options, *language);
+    if (!bytes) return failure(options.input + ": " + bytes.error().line);
+    return write_whole_file(options.output, *bytes).map([&] { return printed->note; });
+}
+
+}  // namespace touchline
