@@ -90,7 +90,7 @@ TEST(MapBytes, MapsThatCannotBeAreNotWritten) {
 }
 
 TEST(MapBytes, MoreThanAMapMayHaveIsRefusedBeforeItIsKept) {
-    constexpr std::size_t count_at = 40;  // of the outlines, where no text is before them
+    constexpr std::size_t count_at = 48;  // of the outlines, where no text is before them
     constexpr std::size_t outline_bytes = 25;
     const auto empty = bytes_of(TactileMap{}).value();
     const auto why_refused = [&empty](std::uint32_t count) {

@@ -90,7 +90,7 @@ TEST_F(PrintCommand, APhotographIsTracedAndNamedAfterItsFile) {
 
 TEST_F(PrintCommand, WhatCannotBeUsedIsOneLineAndNoFile) {
     std::ofstream(folder + "broken.png") << "\x89PNG\r\n\x1a\nnothing";
-    for (const std::string input : {pictures + "none.svg", folder + "broken.png", folder}) {
+    for (const std::string& input : {pictures + "none.svg", folder + "broken.png", folder}) {
         EXPECT_EQ(print(input, "a.pdf"), 1);
         EXPECT_TRUE(said.starts_with("touchline: ")) << said;
         EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;

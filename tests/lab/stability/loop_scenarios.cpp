@@ -24,7 +24,7 @@ bool is_below(Position, Position to) {
     return to.y < -1e-7;
 }
 
-Scene scene_of(const std::vector<Polyline>& lines, double radius_m = 0.0) {
+Scene scene_of_edges(const std::vector<Polyline>& lines, double radius_m = 0.0) {
     CurveOptions whole_edges;
     whole_edges.spacing_m = 1.0;
     return scenarios::scene_of(lines, radius_m, whole_edges);
@@ -32,7 +32,7 @@ Scene scene_of(const std::vector<Polyline>& lines, double radius_m = 0.0) {
 
 LoopScenario made(Torture torture, double radius_m = 0.0,
                   std::function<double(double)> level = {}) {
-    Scene scene = scene_of(torture.lines, radius_m);
+    Scene scene = scene_of_edges(torture.lines, radius_m);
     return {std::move(torture), std::move(scene), radius_m, std::move(level)};
 }
 
@@ -202,7 +202,7 @@ LoopScenario growing_drawing() {
     auto maps = std::make_shared<std::vector<Scene>>();
     std::vector<Polyline> lines{flat_line()};
     for (int i = 0; i < 20; ++i) {
-        maps->push_back(scene_of(lines));
+        maps->push_back(scene_of_edges(lines));
         maps->back().map_version = static_cast<std::uint64_t>(i) + 1;
         maps->back().drawing = 1;
         const double x_mm = -40.0 + 4.0 * i;
