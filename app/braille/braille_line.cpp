@@ -2,6 +2,7 @@
 
 #include "app/braille/brlapi_display.h"
 #include "app/braille/line_keys.h"
+#include "app/isolation/process/thread_signals.h"
 #include "config/types/steady_clock.h"
 
 #include <algorithm>
@@ -13,7 +14,6 @@
 
 #include <fmt/format.h>
 #include <poll.h>
-#include <signal.h>
 #include <sys/eventfd.h>
 #include <unistd.h>
 
@@ -25,13 +25,6 @@ constexpr std::size_t most_waiting = 256;
 
 double now_of_clock_s() {
     return 1e-9 * static_cast<double>(steady_now_ns());
-}
-
-/// Signals are for the main thread; that of a socket whose other end is gone is for nobody.
-void block_signals() {
-    sigset_t all;
-    sigfillset(&all);
-    pthread_sigmask(SIG_BLOCK, &all, nullptr);
 }
 
 }  // namespace
@@ -121,7 +114,7 @@ void BrailleLine::report(const std::string& line) {
 }
 
 void BrailleLine::run(const std::stop_token& stop) {
-    block_signals();
+    leave_signals_to_main_thread();  // that of a socket whose other end is gone is for nobody
     Desk desk;
     while (!stop.stop_requested()) {
         const double now_s = now_of_clock_s();

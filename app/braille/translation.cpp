@@ -215,7 +215,7 @@ Result<BrailleText> braille_of(std::string_view text, const std::string& languag
         }
         from += length;
     }
-    // From the end: who has no cell of its own has the next one's.
+    // Who has no cell of its own has the next one's, so it goes from the end.
     int next = static_cast<int>(result.cells.size());
     for (auto cell = result.first_cell.rbegin(); cell != result.first_cell.rend(); ++cell) {
         *cell = next = std::min(*cell, next);
@@ -224,7 +224,7 @@ Result<BrailleText> braille_of(std::string_view text, const std::string& languag
 }
 
 char braille_ascii(std::uint8_t cell) {
-    // In the order of the dots as bits.
+    // The dots as bits give the order.
     static constexpr std::string_view characters =
         " A1B'K2L@CIF/MSP\"E3H9O6R^DJG>NTQ,*5<-U8V.%[$+X!&;:4\\0Z7(_?W]#Y)=";
     static_assert(characters.size() == 64);

@@ -50,7 +50,7 @@ struct PrintCommandOptions {
 /// lines in an embosser's graphic mode, for CUPS. index: words and lines for an Index embosser.
 enum class SheetFormat : std::uint8_t { pdf, svg, brf, ubrl, index };
 
-/// By the ending of a name; nothing for any other.
+/// The ending of a name tells it; nothing for any other.
 [[nodiscard]] std::optional<SheetFormat> sheet_format_of(const std::string& path);
 
 /// Traces the picture as `trace` does, and writes the sheet whole or not at all. Returns one

@@ -2,6 +2,7 @@
 
 #include "app/visit/screen_model.h"
 #include "app/visit/told_lines.h"
+#include "config/types/extent.h"
 #include "config/types/thing_name.h"
 
 #include <algorithm>
@@ -31,20 +32,6 @@ bool is_among(const std::array<std::string_view, n>& words, std::string_view wor
     return std::ranges::find(words, word) != words.end();
 }
 
-struct Extent {
-    Position low;
-    Position high;
-};
-
-Extent extent_of(const Outline& outline) {
-    Extent box{outline.points.front(), outline.points.front()};
-    for (const Position& p : outline.points) {
-        box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-        box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-    }
-    return box;
-}
-
 /// The part of the outline with this label.
 std::optional<std::size_t> part_labelled(const TactileMap& map, const std::vector<PartFacts>& parts,
                                          const std::string& label) {
@@ -59,10 +46,8 @@ void add_outlines(const TactileMap& map, const Language& language, std::vector<P
     for (std::size_t i = 0; i < map.outlines.size(); ++i) {
         const Outline& outline = map.outlines[i];
         if (outline.label.empty() || part_labelled(map, parts, outline.label)) continue;
-        const Extent box = extent_of(outline);
         parts.push_back({part_name(outline.label, language), outline.points.front(),
-                         box.low + 0.5 * (box.high - box.low), outline.detail,
-                         static_cast<int>(i)});
+                         extent_of(outline).middle(), outline.detail, static_cast<int>(i)});
     }
 }
 

@@ -3,9 +3,9 @@
 #include "app/sheets/line_gaps.h"
 #include "app/sheets/sheet_words.h"
 #include "app/sheets/stroke_grid.h"
+#include "config/types/extent.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace touchline {
 namespace {
@@ -80,16 +80,9 @@ DotLattice graphic_lattice(PaperKind paper) {
 }
 
 Result<DotPicture> dots_of(const TactileMap& map, const DotLattice& lattice) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    Position low{infinity, infinity};
-    Position high{-infinity, -infinity};
-    for (const Outline& outline : map.outlines)
-        for (const Position& p : outline.points) {
-            low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-            high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-        }
-    if (!is_finite(low) || !is_finite(high)) return failure("there is no line to emboss");
-    const Position ink = 1000.0 * (high - low);
+    const Extent extent = extent_of(map);
+    if (!extent.is_finite()) return failure("there is no line to emboss");
+    const Position ink = 1000.0 * (extent.high - extent.low);
     const PaperSize room{lattice.x_mm.back(), lattice.y_mm.back()};
     const auto fit = [](double room_mm, double ink_mm) {
         return ink_mm > 0.0 ? room_mm / ink_mm : widest_scale;
@@ -97,7 +90,7 @@ Result<DotPicture> dots_of(const TactileMap& map, const DotLattice& lattice) {
     PaperPlace place{
         {0.0, 0.0},
         std::min({fit(room.width_mm, ink.x), fit(room.height_mm, ink.y), widest_scale})};
-    const PaperPoint middle = place(0.5 * (low + high));
+    const PaperPoint middle = place(extent.middle());
     place.middle = {room.width_mm / 2.0 - middle.x_mm, room.height_mm / 2.0 - middle.y_mm};
 
     DotPicture dots{lattice.x_mm.size(), lattice.y_mm.size(), {}};

@@ -5,6 +5,7 @@
 #include "app/sheets/page_frame.h"
 #include "app/sheets/sheet_words.h"
 #include "app/sheets/stroke_grid.h"
+#include "config/types/extent.h"
 
 #include <array>
 #include <limits>
@@ -30,38 +31,25 @@ constexpr double of_unlabelled = 0.2;
 constexpr double of_left_out = 0.2;
 constexpr double of_broken = 0.1;
 
-/// The box of all lines and places in W.
-struct InkBox {
-    Position low;
-    Position high;
-};
-
-std::optional<InkBox> ink_of(const TactileMap& map) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    InkBox box{{infinity, infinity}, {-infinity, -infinity}};
-    const auto add = [&box](Position p) {
-        box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-        box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-    };
-    for (const Outline& outline : map.outlines)
-        for (const Position& p : outline.points) add(p);
-    if (!is_finite(box.low) || !is_finite(box.high)) return std::nullopt;
-    if (norm(box.high - box.low) <= 0.0) return std::nullopt;
-    for (const Label& label : map.labels) add(label.place);
-    return box;
+/// The box of all lines and places; nothing if there is no line.
+std::optional<Extent> ink_of(const TactileMap& map) {
+    Extent ink = extent_of(map);
+    if (!ink.is_finite() || norm(ink.high - ink.low) <= 0.0) return std::nullopt;
+    for (const Label& label : map.labels) ink.add(label.place);
+    return ink;
 }
 
 /// Everything about a map that does not depend on its size on paper.
 struct SheetMatter {
     const TactileMap& map;
-    InkBox ink;
+    Extent ink;
     std::vector<NamedPart> parts;
     std::vector<std::vector<std::vector<BrailleCells>>> shapes;  // of each part
     FrameWords words;
     BrailleHand hand;
 };
 
-Result<SheetMatter> matter_of(const TactileMap& map, const InkBox& ink, const BrailleHand& hand,
+Result<SheetMatter> matter_of(const TactileMap& map, const Extent& ink, const BrailleHand& hand,
                               const Language& language) {
     SheetMatter matter{map, ink, named_parts(map), {}, {}, hand};
     for (const NamedPart& part : matter.parts) {
@@ -182,18 +170,24 @@ std::vector<std::string> names_of(const TactileMap& map, const PaperLines& lines
     return names;
 }
 
-Result<DrawnPage> drawn_at(const SheetMatter& matter, PaperSize size, double scale,
-                           const Language& language) {
+/// The words around a drawing of this size.
+Result<FrameWords> words_at(const SheetMatter& matter, double scale, const Language& language) {
     FrameWords words = matter.words;
     words.scale = scale_words(scale, language);
-    const auto cells = cells_of(words.scale, matter.hand);
-    if (!cells) return tl::unexpected(cells.error());
-    words.scale_cells = *cells;
-    PageFrame frame = page_frame(size, words);
+    return cells_of(words.scale, matter.hand).map([&words](BrailleCells cells) {
+        words.scale_cells = std::move(cells);
+        return words;
+    });
+}
 
-    const Position middle = 0.5 * (matter.ink.low + matter.ink.high);
+Result<DrawnPage> drawn_at(const SheetMatter& matter, PaperSize size, double scale,
+                           const Language& language) {
+    const auto words = words_at(matter, scale, language);
+    if (!words) return tl::unexpected(words.error());
+    PageFrame frame = page_frame(size, *words);
+
     PaperPlace place{{0.0, 0.0}, scale};
-    const PaperPoint off = place(middle);
+    const PaperPoint off = place(matter.ink.middle());
     place.middle = {(frame.zone.left_mm + frame.zone.right_mm) / 2.0 - off.x_mm,
                     (frame.zone.top_mm + frame.zone.bottom_mm) / 2.0 - off.y_mm};
     PaperLines lines = paper_lines(matter.map, place, size);
@@ -221,7 +215,7 @@ Result<DrawnPage> drawn_at(const SheetMatter& matter, PaperSize size, double sca
 }
 
 /// The largest scale at which the lines fit into a zone; 0 if there is none.
-double largest_scale(const InkBox& ink, const PaperBox& zone) {
+double largest_scale(const Extent& ink, const PaperBox& zone) {
     if (std::min(zone.width_mm(), zone.height_mm()) <= outer_line_mm) return 0.0;
     const Position size = 1000.0 * (ink.high - ink.low);
     const auto fit = [](double room_mm, double ink_mm) {
@@ -233,12 +227,9 @@ double largest_scale(const InkBox& ink, const PaperBox& zone) {
 /// The best of one position of the paper, if anything fits there.
 Result<DrawnPage> best_page(const SheetMatter& matter, PaperSize size, const Language& language) {
     DrawnPage best;
-    FrameWords words = matter.words;
-    words.scale = scale_words(1.0, language);
-    const auto cells = cells_of(words.scale, matter.hand);
-    if (!cells) return tl::unexpected(cells.error());
-    words.scale_cells = *cells;
-    double scale = largest_scale(matter.ink, page_frame(size, words).zone);
+    const auto words = words_at(matter, 1.0, language);
+    if (!words) return tl::unexpected(words.error());
+    double scale = largest_scale(matter.ink, page_frame(size, *words).zone);
     for (int i = 0; i < most_scales && scale > 0.0; ++i, scale *= scale_step) {
         if (best.cost <= -std::log(scale)) break;  // no smaller one is better
         auto drawn = drawn_at(matter, size, scale, language);

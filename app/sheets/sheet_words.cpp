@@ -1,25 +1,19 @@
 #include "app/sheets/sheet_words.h"
 
 #include "audio-cues/cues/guidance.h"
+#include "config/types/extent.h"
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 
 namespace touchline {
 namespace {
 
 /// The middle of the box around these outlines.
 Position middle_of(const TactileMap& map, const std::vector<std::size_t>& outlines) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    Position low{infinity, infinity};
-    Position high{-infinity, -infinity};
-    for (const std::size_t i : outlines)
-        for (const Position& p : map.outlines[i].points) {
-            low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-            high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-        }
-    return 0.5 * (low + high);
+    Extent extent;
+    for (const std::size_t i : outlines) extent.add(map.outlines[i]);
+    return extent.middle();
 }
 
 std::string listed(const std::vector<std::string>& names) {

@@ -1,22 +1,15 @@
 #include "app/sound/sound_loop.h"
 
+#include "app/isolation/process/thread_signals.h"
 #include "config/types/steady_clock.h"
 
 #include <chrono>
 #include <utility>
 
-#include <signal.h>
-
 namespace touchline {
 namespace {
 
 constexpr int polls_between_looks = 16;  // nearly 60 looks a second
-
-void leave_signals_to_others() {
-    sigset_t all;
-    sigfillset(&all);
-    pthread_sigmask(SIG_BLOCK, &all, nullptr);
-}
 
 std::optional<bool> ask(HeadphonePresence* source, double now_s) {
     return source == nullptr ? std::nullopt : source->are_in(now_s);
@@ -50,7 +43,7 @@ void SoundLoop::set(const CueSetting& setting) {
 }
 
 void SoundLoop::run(const std::stop_token& stop, SoundWorld world, const EventSource& events) {
-    leave_signals_to_others();
+    leave_signals_to_main_thread();
     SoundOutput output(std::move(world.device), mixer_, steady_now_ns);
     HandCues cues(mixer_, output.clock());
     PollPace pace;

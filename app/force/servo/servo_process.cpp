@@ -2,6 +2,7 @@
 
 #include "app/force/servo/running_servo.h"
 #include "app/force/servo/servo_connection.h"
+#include "app/isolation/process/thread_signals.h"
 #include "config/types/pinned.h"
 #include "config/types/steady_clock.h"
 
@@ -10,13 +11,11 @@
 #include <atomic>
 #include <cerrno>
 #include <cmath>
-#include <csignal>
 #include <mutex>
 #include <thread>
 #include <utility>
 
 #include <poll.h>
-#include <signal.h>
 #include <sys/eventfd.h>
 #include <sys/syscall.h>
 #include <unistd.h>
@@ -82,9 +81,7 @@ class ServoProcess::Guard : private Pinned {
     }
 
     void run() {
-        sigset_t all;
-        sigfillset(&all);
-        pthread_sigmask(SIG_BLOCK, &all, nullptr);  // signals are the main thread's business
+        leave_signals_to_main_thread();
         become_guard();
         while (!is_ending_) {
             const std::int64_t start_ns = steady_now_ns();
