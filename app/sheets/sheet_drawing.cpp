@@ -58,7 +58,7 @@ void draw(cairo_t* cr, const BrailleBlock& block) {
     for (const BrailleRow& row : block.rows)
         for (std::size_t cell = 0; cell < row.cells.size(); ++cell)
             for (int dot = 0; dot < dots; ++dot) {
-                if ((row.cells[cell] >> static_cast<unsigned>(dot) & 1U) == 0) continue;
+                if ((unsigned{row.cells[cell]} >> static_cast<unsigned>(dot) & 1U) == 0) continue;
                 const PaperPoint p = dot_place(row, cell, dot);
                 cairo_new_path(cr);
                 cairo_arc(cr, p.x_mm, p.y_mm, braille_dot_mm / 2.0, 0.0, 2.0 * std::numbers::pi);
