@@ -12,6 +12,7 @@ namespace {
 constexpr double lattice_mm = 2.0;
 constexpr double half_diagonal_mm = 1.42;  // of a square of the lattice
 constexpr double leader_half_mm = thin_line_mm / 2.0;
+constexpr double leader_end_mm = least_clear_mm + leader_half_mm;  // from the label's dots
 constexpr double leader_step_mm = 0.4;
 constexpr double steepest_mm = 7.5;       // way of a leader from its line until it is clear of it
 constexpr double least_start_mm = 5.0;    // piece of a leader at its line
@@ -217,9 +218,7 @@ class Placer {
 
     void try_leader(const WantedLabel& wanted, const Candidate& candidate, PaperPoint anchor,
                     double more_mm, const Taken& taken, int& ways_left, Chosen& best) const {
-        const PaperBox rim = grown(candidate.box, least_clear_mm + leader_half_mm);
-        const PaperPoint port{std::clamp(anchor.x_mm, rim.left_mm, rim.right_mm),
-                              std::clamp(anchor.y_mm, rim.top_mm, rim.bottom_mm)};
+        const PaperPoint port = port_of(candidate.box, anchor);
         const double length = distance_mm(anchor, port);
         const double rows = static_cast<double>(wanted.shapes[candidate.shape].size());
         const double cost = length + more_mm + of_row_mm * (rows - 1.0);
@@ -232,6 +231,15 @@ class Placer {
             way->pieces.insert(way->pieces.begin(),
                                {{anchor}, false, spot_mm, StrokeUse::leader, 0});
         best = chosen(wanted, candidate, cost + of_break_mm * way->breaks, std::move(way->pieces));
+    }
+
+    /// On the straight way to the label's nearest place, and as near to it at a corner as
+    /// elsewhere: a finger that leaves the leader's end goes on to the label.
+    static PaperPoint port_of(const PaperBox& box, PaperPoint anchor) {
+        const PaperPoint nearest{std::clamp(anchor.x_mm, box.left_mm, box.right_mm),
+                                 std::clamp(anchor.y_mm, box.top_mm, box.bottom_mm)};
+        const double way_mm = distance_mm(nearest, anchor);
+        return between(nearest, anchor, std::min(1.0, leader_end_mm / way_mm));
     }
 
     static Chosen chosen(const WantedLabel& wanted, const Candidate& candidate, double cost,

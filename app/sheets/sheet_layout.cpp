@@ -3,6 +3,7 @@
 #include "app/sheets/label_places.h"
 #include "app/sheets/line_gaps.h"
 #include "app/sheets/page_frame.h"
+#include "app/sheets/paper_place.h"
 #include "app/sheets/sheet_words.h"
 #include "app/sheets/stroke_grid.h"
 #include "config/types/extent.h"
@@ -186,10 +187,7 @@ Result<DrawnPage> drawn_at(const SheetMatter& matter, PaperSize size, double sca
     if (!words) return tl::unexpected(words.error());
     PageFrame frame = page_frame(size, *words);
 
-    PaperPlace place{{0.0, 0.0}, scale};
-    const PaperPoint off = place(matter.ink.middle());
-    place.middle = {(frame.zone.left_mm + frame.zone.right_mm) / 2.0 - off.x_mm,
-                    (frame.zone.top_mm + frame.zone.bottom_mm) / 2.0 - off.y_mm};
+    const PaperPlace place = middle_place(matter.ink, frame.zone, scale);
     PaperLines lines = paper_lines(matter.map, place, size);
     StrokeGrid grid(size, 3.0 * least_clear_mm);
     for (const SheetStroke& stroke : lines.strokes) grid.add(stroke);
@@ -216,12 +214,9 @@ Result<DrawnPage> drawn_at(const SheetMatter& matter, PaperSize size, double sca
 
 /// The largest scale at which the lines fit into a zone; 0 if there is none.
 double largest_scale(const Extent& ink, const PaperBox& zone) {
-    if (std::min(zone.width_mm(), zone.height_mm()) <= outer_line_mm) return 0.0;
-    const Position size = 1000.0 * (ink.high - ink.low);
-    const auto fit = [](double room_mm, double ink_mm) {
-        return ink_mm > 0.0 ? (room_mm - outer_line_mm) / ink_mm : most_scale;
-    };
-    return std::min({fit(zone.width_mm(), size.x), fit(zone.height_mm(), size.y), most_scale});
+    const PaperSize room{zone.width_mm() - outer_line_mm, zone.height_mm() - outer_line_mm};
+    if (!(std::min(room.width_mm, room.height_mm) > 0.0)) return 0.0;
+    return fitting_scale(ink, room, most_scale);
 }
 
 /// The best of one position of the paper, if anything fits there.
