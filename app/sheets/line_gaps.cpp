@@ -187,11 +187,17 @@ void keep(const SheetStroke& whole, const StrokeGrid& drawn, const IsOwnPart& is
 
 }  // namespace
 
+std::vector<SheetStroke> whole_lines(const TactileMap& map, const PaperPlace& place,
+                                     const GapRule& rule) {
+    std::vector<SheetStroke> lines;
+    for (std::size_t i = 0; i < map.outlines.size(); ++i)
+        lines.push_back(stroke_of(map.outlines[i], i, place, rule));
+    return lines;
+}
+
 PaperLines paper_lines(const TactileMap& map, const PaperPlace& place, PaperSize page,
                        const GapRule& rule) {
-    std::vector<SheetStroke> whole;
-    for (std::size_t i = 0; i < map.outlines.size(); ++i)
-        whole.push_back(stroke_of(map.outlines[i], i, place, rule));
+    const std::vector<SheetStroke> whole = whole_lines(map, place, rule);
     StrokeGrid drawn(page, std::max(grid_reach_mm, 2.0 * rule.clear_mm));
     PaperLines spaced;
     for (const std::size_t i : by_importance(map, whole)) {

@@ -27,6 +27,10 @@ struct PaperLines {
     std::vector<std::size_t> left_out;  // and those that are left out wholly
 };
 
+/// The outlines as they are, in the order of the map; `source` is the place in it.
+[[nodiscard]] std::vector<SheetStroke> whole_lines(const TactileMap& map, const PaperPlace& place,
+                                                   const GapRule& rule = {});
+
 /// The more important of two is the one of lower detail, then of more weight, then the longer. The
 /// other is broken where they cross, is left out where they run beside each other or along the same
 /// way, and is kept where one ends on the other or both have one label. No two strokes are nearer

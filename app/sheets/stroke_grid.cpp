@@ -112,11 +112,12 @@ void StrokeGrid::add(const SheetStroke& stroke) {
     const std::vector<PaperPoint> points = sampled(stroke, reach_mm_);
     const double half_mm = stroke.width_mm / 2.0;
     if (points.size() == 1) {
-        add({points[0], points[0], half_mm, stroke.source, strokes_, true, true});
+        add({points[0], points[0], half_mm, 0.0, stroke.source, strokes_, true, true});
     } else {
         for (std::size_t i = 0; i + 1 < points.size(); ++i)
-            add({points[i], points[i + 1], half_mm, stroke.source, strokes_,
-                 !stroke.is_closed && i == 0, !stroke.is_closed && i + 2 == points.size()});
+            add({points[i], points[i + 1], half_mm, distance_mm(points[i], points[i + 1]),
+                 stroke.source, strokes_, !stroke.is_closed && i == 0,
+                 !stroke.is_closed && i + 2 == points.size()});
     }
     ++strokes_;
 }
@@ -142,6 +143,11 @@ NearStroke StrokeGrid::near(PaperPoint place, std::size_t without) const {
     NearStroke found{reach_mm_, reach_mm_, false, 0, 0};
     each_around(place, [&](const Segment& segment) {
         if (segment.source == without) return;
+        // Most segments are too far to matter, and this says so without a root or a division.
+        const double x = segment.from.x_mm - place.x_mm;
+        const double y = segment.from.y_mm - place.y_mm;
+        const double far = found.clear_mm + segment.half_mm + segment.length_mm;
+        if (far < 0.0 || x * x + y * y > far * far) return;
         const NearStroke other = nearness(segment, place);
         if (other.clear_mm < found.clear_mm) found = other;
     });

@@ -41,6 +41,7 @@ class StrokeGrid {
         PaperPoint from;
         PaperPoint to;
         double half_mm;
+        double length_mm;
         std::size_t source;
         std::size_t stroke;
         bool from_ends;

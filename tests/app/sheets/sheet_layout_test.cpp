@@ -1,6 +1,7 @@
 #include "app/sheets/sheet_layout.h"
 
 #include "app/sheets/label_places.h"
+#include "app/sheets/leader_way.h"
 #include "app/sheets/stroke_grid.h"
 #include "tests/app/documents/gallery/pictures.h"
 #include "tests/app/sheets/sheet_maps.h"
@@ -86,6 +87,74 @@ TEST(LeaderWay, IsBrokenAtALineThatItCrosses) {
     EXPECT_FALSE(leader_way({100, 60}, {102, 140}, grid).has_value());   // along its line
     EXPECT_FALSE(leader_way({100, 100}, {128, 100}, grid).has_value());  // ends at a line
     EXPECT_FALSE(leader_way({100, 100}, {103, 100}, grid).has_value());  // too short
+    EXPECT_FALSE(leader_way({100, 100}, {100, 100}, grid).has_value());
+}
+
+TEST(LeaderWay, HasNoGapThatAFingertipDoesNotBridge) {
+    StrokeGrid grid({297.0, 210.0}, 9.0);
+    grid.add({{{130, 50}, {130, 150}}, false, 1.25, StrokeUse::outline, 1});
+    EXPECT_TRUE(leader_way({100, 80}, {160, 120}, grid).has_value());
+    EXPECT_FALSE(leader_way({115, 70}, {145, 130}, grid).has_value());  // 18 mm along the leader
+}
+
+TEST(LeaderWay, TellsHowMuchOfItIsNearToALine) {
+    StrokeGrid grid({297.0, 210.0}, 9.0);
+    grid.add({{{130, 50}, {130, 150}}, false, 1.0, StrokeUse::outline, 1});
+    EXPECT_NEAR(leader_way({100, 100}, {160, 100}, grid)->near_mm, 2.0 * 3.0, 0.8);
+    EXPECT_NEAR(leader_way({135, 60}, {135, 140}, grid)->near_mm, 80.0, 0.8);
+    EXPECT_NEAR(leader_way({138, 60}, {138, 140}, grid)->near_mm, 0.0, 1e-9);
+}
+
+WantedLabel wanted_at(std::vector<PaperPoint> anchors) {
+    return {0, std::move(anchors), false, {{BrailleCells(8, 63)}}};
+}
+
+SheetStroke box_ring(const PaperBox& box) {
+    return {{{box.left_mm, box.top_mm},
+             {box.right_mm, box.top_mm},
+             {box.right_mm, box.bottom_mm},
+             {box.left_mm, box.bottom_mm}},
+            true,
+            1.25,
+            StrokeUse::outline,
+            0};
+}
+
+/// A market's name in the park would make the park a market.
+TEST(LabelPlaces, NoneLiesInAShapeThatItDoesNotName) {
+    const PaperSize page{200.0, 100.0};
+    const PaperBox zone{10.0, 10.0, 190.0, 90.0};
+    const std::vector<SheetStroke> lines{
+        box_ring({100.0, 14.0, 180.0, 86.0}),
+        {{{85.0, 30.0}, {85.0, 70.0}}, false, 1.25, StrokeUse::outline, 1}};
+    const auto plan = placed_labels({wanted_at({{85.0, 50.0}})}, lines, lines, page, zone);
+    ASSERT_EQ(plan.placed.size(), 1U);
+    EXPECT_LT(box_of({{}, plan.placed[0].rows}).right_mm, 85.0);
+    // Without room at the left it is told in the words.
+    const PaperBox narrow{84.0, 10.0, 190.0, 90.0};
+    EXPECT_EQ(placed_labels({wanted_at({{85.0, 50.0}})}, lines, lines, page, narrow).without_room,
+              std::vector<std::size_t>{0});
+    // What lies in the box, or is the box, may be named there.
+    EXPECT_EQ(placed_labels({wanted_at({{100.0, 50.0}})}, lines, lines, page, narrow).placed.size(),
+              1U);
+    const std::vector<SheetStroke> inside{
+        lines[0], {{{110.0, 30.0}, {110.0, 70.0}}, false, 1.25, StrokeUse::outline, 1}};
+    EXPECT_EQ(
+        placed_labels({wanted_at({{110.0, 50.0}})}, inside, inside, page, narrow).placed.size(),
+        1U);
+}
+
+TEST(LabelPlaces, ALeaderPointsAtItsLabelFromEverySide) {
+    const PaperSize page{200.0, 100.0};
+    for (const PaperBox& zone : {PaperBox{10, 10, 60, 30}, PaperBox{140, 10, 190, 30},
+                                 PaperBox{10, 70, 60, 90}, PaperBox{140, 70, 190, 90}}) {
+        const std::vector<SheetStroke> lines{
+            {{{99.0, 50.0}, {101.0, 50.0}}, false, 1.25, StrokeUse::outline, 0}};
+        const auto plan = placed_labels({wanted_at({{100.0, 50.0}})}, lines, lines, page, zone);
+        ASSERT_EQ(plan.placed.size(), 1U);
+        const PaperPoint end = plan.placed[0].leader.back().points.back();
+        EXPECT_NEAR(distance_mm(box_of({{}, plan.placed[0].rows}), end), 3.5, 1e-6);
+    }
 }
 
 }  // namespace
