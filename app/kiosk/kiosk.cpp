@@ -38,7 +38,7 @@ struct Kiosk::VisitOrderHandler {
     void operator()(const Utterance& utterance) const {
         if (kiosk.is_operator_in() && utterance.priority != SpeechPriority::safety) return;
         kiosk.key_caption_.clear();
-        kiosk.sound_->say(utterance);
+        kiosk.say(utterance);
     }
 
     void operator()(const Hush&) const { kiosk.sound_->hush(); }
@@ -95,6 +95,7 @@ Kiosk::Kiosk(KioskParts parts)
       pictures_(std::move(parts.gallery)),
       handle_(std::move(parts.servo), parts.profile, settings_),
       sound_(std::move(parts.sound)),
+      braille_(std::move(parts.braille)),
       picture_(std::move(parts.loader)),
       sticks_(std::move(parts.sticks)),
       photos_(std::move(parts.photos)),
@@ -152,6 +153,7 @@ void Kiosk::follow_rules() {
     rules_.answer_s = settings_.answer_s;
     rules_.offers_staff = settings_.offers_staff;
     rules_.notice = settings_.notice;
+    if (braille_) braille_->choose(settings_.braille);
     if (sticks_)
         sticks_->allow(settings_.more_file_systems ? FileSystems::more : FileSystems::usual);
     if (photos_)
@@ -164,6 +166,7 @@ void Kiosk::wipe() {
     pictures_.forget();
     if (photos_) photos_->forget();
     sound_->forget();
+    if (braille_) braille_->forget();
     handle_.wipe();
 }
 
@@ -176,6 +179,7 @@ void Kiosk::step(std::int64_t now_ns) {
     follow_loader();
     follow_camera();
     handle_.look();
+    follow_braille();
     if (now_s_ - ticked_s_ >= tick_s) tick();
     sound_->step({hand(), shown().scene.get(), handle_.target()});
 }

@@ -6,6 +6,7 @@
 // Threads: the screen's; the parts hide all other threads. No call waits.
 #pragma once
 
+#include "app/braille/visitor_braille.h"
 #include "app/documents/decode/found_words.h"
 #include "app/force/servo/servo_client.h"
 #include "app/kiosk/kiosk_handle.h"
@@ -35,12 +36,13 @@
 
 namespace touchline {
 
-/// `sticks` and `photos` may be null: the site has none.
+/// `sticks`, `photos` and `braille` may be null: the site has none.
 struct KioskParts {
     std::vector<Language> languages;  // not empty, English first
     Gallery gallery;                  // in these languages
     std::unique_ptr<ServoClient> servo;
     std::unique_ptr<VisitorSound> sound;
+    std::unique_ptr<VisitorBraille> braille;
     std::unique_ptr<Loader> loader;
     std::unique_ptr<FileSource> sticks;
     std::unique_ptr<PhotoCapture> photos;
@@ -191,6 +193,11 @@ class Kiosk : private Pinned {
     [[nodiscard]] std::string device_trouble() const;
     void report(const std::string& line);
 
+    // Words for ears and fingers: kiosk_words.cpp.
+    void say(const Utterance& utterance);
+    void follow_braille();
+    void take_line_event(const LineEvent& event);
+
     // Keys: kiosk_keys.cpp.
     void hold_key(const KeyChange& change);
     void act(Action action);
@@ -229,6 +236,7 @@ class Kiosk : private Pinned {
     Pictures pictures_;
     KioskHandle handle_;
     std::unique_ptr<VisitorSound> sound_;
+    std::unique_ptr<VisitorBraille> braille_;  // null: there is none
     OrderedPicture picture_;
     std::unique_ptr<FileSource> sticks_;
     std::unique_ptr<PhotoCapture> photos_;

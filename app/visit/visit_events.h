@@ -58,6 +58,11 @@ struct HandleSeen {
     bool is_led = false;  // it moves by itself now; false while it waits for a hand
 };
 
+/// A page of the braille line was turned; at an end there was none to turn to.
+struct LineRead {
+    bool is_at_end = false;
+};
+
 struct HeadphonesChanged {
     bool are_in = false;
 };
@@ -179,9 +184,9 @@ struct QuitAsked {};
 
 using VisitEvent =
     std::variant<Tick, KeyPressed, KeyHeld, SpeechKeyPressed, DeadKeyPressed, KnobTurned,
-                 HandleSeen, HeadphonesChanged, StickArriving, StickCame, PicturesGiven, StickGone,
-                 PictureReady, ThingsLookedFor, PictureFailed, CameraChanged, CameraCaptured,
-                 CameraFailed, GuidanceEnded, TroubleBegan, TroubleEnded, OpeningChanged,
-                 SettingsChanged, StaffCalledOff, QuitAsked>;
+                 HandleSeen, LineRead, HeadphonesChanged, StickArriving, StickCame, PicturesGiven,
+                 StickGone, PictureReady, ThingsLookedFor, PictureFailed, CameraChanged,
+                 CameraCaptured, CameraFailed, GuidanceEnded, TroubleBegan, TroubleEnded,
+                 OpeningChanged, SettingsChanged, StaffCalledOff, QuitAsked>;
 
 }  // namespace touchline

@@ -189,6 +189,8 @@ void take(VisitWork& work, const KeyHeld& held);
 void take(VisitWork& work, const SpeechKeyPressed& key);
 void take(VisitWork& work, const DeadKeyPressed& key);
 void take(VisitWork& work, const HandleSeen& handle);
+/// Whoever turns pages is there. It does not stop a handle that leads: whoever is led may read.
+void take(VisitWork& work, const LineRead& read);
 /// Turns a held shape. Says nothing: the hand feels a knob turn.
 void take(VisitWork& work, const KnobTurned& knob);
 void take(VisitWork& work, const PictureReady& ready);  // visit_picture.cpp

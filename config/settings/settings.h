@@ -34,6 +34,7 @@ struct Settings {
     // language
     std::string languages = "en de fr es it";  // codes, in the order in which they are offered
     std::string first_language = "en";         // one of them
+    BrailleUse braille = BrailleUse::uncontracted;
     // time
     double inactivity_s = 90.0;
     double answer_s = 30.0;
