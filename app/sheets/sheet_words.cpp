@@ -37,8 +37,14 @@ std::vector<NamedPart> named_parts(const TactileMap& map) {
         }
     }
     for (NamedPart& part : parts) part.place = middle_of(map, part.outlines);
+    const std::size_t lines = parts.size();
+    const auto names_a_line = [&](const std::string& text) {
+        const auto end = parts.begin() + static_cast<std::ptrdiff_t>(lines);
+        return std::ranges::find(parts.begin(), end, text, &NamedPart::name) != end;
+    };
     for (const Label& label : map.labels)
-        if (!label.text.empty()) parts.push_back({label.text, {}, label.place});
+        if (!label.text.empty() && !names_a_line(label.text))
+            parts.push_back({label.text, {}, label.place});
     if (parts.size() == 1 && !parts.front().outlines.empty() && !map.title.empty()) parts.clear();
     return parts;
 }

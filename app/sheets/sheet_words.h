@@ -18,8 +18,9 @@ struct NamedPart {
     Position place;  // the middle of its lines' box in W, or the label's place
 };
 
-/// Each name once, in the order of the map; outlines come before places. None for a map whose only
-/// name is that of its only part: its title says it. O(outlines^2).
+/// In the order of the map; outlines come before places. Outlines of one name are one part, and a
+/// text that says the name of an outline is none; two places of one name are two. None for a map
+/// whose only name is that of its only part: its title says it. O((outlines + labels) * parts).
 [[nodiscard]] std::vector<NamedPart> named_parts(const TactileMap& map);
 
 /// What was changed on the way to paper, for the reader.
