@@ -182,6 +182,7 @@ class Kiosk : private Pinned {
     void follow_stick(std::int64_t now_ns);
     void offer(std::vector<FilePtr> files, const StickRest& rest);
     void follow_loader();
+    void feel_drawing(const FeelDrawing& order);
     void keep_lines_of_felt();
     void follow_camera();
     void tick();
@@ -227,6 +228,7 @@ class Kiosk : private Pinned {
     Settings settings_;
     VisitRules rules_;
     Pictures pictures_;
+    DeviceProfile profile_;
     KioskHandle handle_;
     std::unique_ptr<VisitorSound> sound_;
     OrderedPicture picture_;
