@@ -179,6 +179,7 @@ void Kiosk::step(std::int64_t now_ns) {
     follow_stick(now_ns);
     follow_loader();
     follow_camera();
+    if (!takes_pen()) pen_.drop();
     handle_.look();
     if (now_s_ - ticked_s_ >= tick_s) tick();
     sound_->step({hand(), shown().scene.get(), handle_.target()});
@@ -255,6 +256,15 @@ void Kiosk::feel_drawing(const FeelDrawing& order) {
     if (!drawing) return report("a drawing cannot be felt: " + drawing.error().line);
     handle_.servo().feel(drawing->felt);
     apply(PictureReady{order.request, picture_.put_drawing(order.request, *drawing, language())});
+}
+
+bool Kiosk::takes_pen() const {
+    return touchline::takes_pen(visit_) && !visit_.visitor.look.is_off && !is_operator_in();
+}
+
+void Kiosk::change_pen(const PenChange& change) {
+    if (!takes_pen()) return;
+    tell(pen_.step(change, visit_.visitor.drawing->area()));
 }
 
 /// The first page of a picture stands for it in its list.

@@ -12,6 +12,7 @@
 #include "app/kiosk/kiosk_keys.h"
 #include "app/kiosk/loading/loader.h"
 #include "app/kiosk/operator_session.h"
+#include "app/kiosk/pen.h"
 #include "app/kiosk/photo_capture.h"
 #include "app/kiosk/pictures.h"
 #include "app/kiosk/stick_source.h"
@@ -81,6 +82,14 @@ class Kiosk : private Pinned {
 
     /// A joystick's axis turned, counter-clockwise: turns a shape in the hand.
     void turn_knob(double by_rad) { apply(KnobTurned{by_rad}); }
+
+    /// Somebody draws for the visitor, if takes_pen().
+    void change_pen(const PenChange& change);
+
+    /// True while a drawing is open and on the screen.
+    [[nodiscard]] bool takes_pen() const;
+
+    [[nodiscard]] const Pen& pen() const { return pen_; }
 
     /// A key of the operator's own keyboard (Settings::operator_device). Only the operator uses it,
     /// so its operator's keys need no PIN.
@@ -232,6 +241,7 @@ class Kiosk : private Pinned {
     KioskHandle handle_;
     std::unique_ptr<VisitorSound> sound_;
     OrderedPicture picture_;
+    Pen pen_;
     std::unique_ptr<FileSource> sticks_;
     std::unique_ptr<PhotoCapture> photos_;
     std::unique_ptr<OperatorSession> operator_;
