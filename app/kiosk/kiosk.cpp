@@ -1,6 +1,7 @@
 #include "app/kiosk/kiosk.h"
 
 #include "app/documents/sticks/spoken_name.h"
+#include "app/kiosk/loading/kiosk_stages.h"
 #include "app/visit/told_lines.h"
 #include "audio-cues/cues/cue_table.h"
 #include "audio-cues/words/language.h"
@@ -60,6 +61,8 @@ struct Kiosk::VisitOrderHandler {
                                        kiosk.language()));
     }
 
+    void operator()(const FeelDrawing& order) const { kiosk.feel_drawing(order); }
+
     void operator()(const CancelLoad&) const { kiosk.picture_.cancel(); }
 
     void operator()(const Feel& feel) const { kiosk.handle_.carry_out(feel); }
@@ -93,6 +96,7 @@ Kiosk::Kiosk(KioskParts parts)
     : languages_(std::move(parts.languages)),
       settings_(std::move(parts.settings)),
       pictures_(std::move(parts.gallery)),
+      profile_(parts.profile),
       handle_(std::move(parts.servo), parts.profile, settings_),
       sound_(std::move(parts.sound)),
       braille_(std::move(parts.braille)),
@@ -178,6 +182,7 @@ void Kiosk::step(std::int64_t now_ns) {
     follow_stick(now_ns);
     follow_loader();
     follow_camera();
+    if (!takes_pen()) pen_.drop();
     handle_.look();
     follow_braille();
     if (now_s_ - ticked_s_ >= tick_s) tick();
@@ -248,6 +253,22 @@ void Kiosk::follow_loader() {
             report("a photograph's main thing was not looked for: " + things->why_not);
         apply(ThingsLookedFor{things->request, things->place, things->names});
     }
+}
+
+void Kiosk::feel_drawing(const FeelDrawing& order) {
+    const auto drawing = scene_of_drawing(order.map, profile_);
+    if (!drawing) return report("a drawing cannot be felt: " + drawing.error().line);
+    handle_.servo().feel(drawing->felt);
+    apply(PictureReady{order.request, picture_.put_drawing(order.request, *drawing, language())});
+}
+
+bool Kiosk::takes_pen() const {
+    return touchline::takes_pen(visit_) && !visit_.visitor.look.is_off && !is_operator_in();
+}
+
+void Kiosk::change_pen(const PenChange& change) {
+    if (!takes_pen()) return;
+    tell(pen_.step(change, visit_.visitor.drawing->area()));
 }
 
 /// The first page of a picture stands for it in its list.

@@ -13,6 +13,7 @@
 #include "app/kiosk/kiosk_keys.h"
 #include "app/kiosk/loading/loader.h"
 #include "app/kiosk/operator_session.h"
+#include "app/kiosk/pen.h"
 #include "app/kiosk/photo_capture.h"
 #include "app/kiosk/pictures.h"
 #include "app/kiosk/stick_source.h"
@@ -83,6 +84,14 @@ class Kiosk : private Pinned {
 
     /// A joystick's axis turned, counter-clockwise: turns a shape in the hand.
     void turn_knob(double by_rad) { apply(KnobTurned{by_rad}); }
+
+    /// Somebody draws for the visitor, if takes_pen().
+    void change_pen(const PenChange& change);
+
+    /// True while a drawing is open and on the screen.
+    [[nodiscard]] bool takes_pen() const;
+
+    [[nodiscard]] const Pen& pen() const { return pen_; }
 
     /// A key of the operator's own keyboard (Settings::operator_device). Only the operator uses it,
     /// so its operator's keys need no PIN.
@@ -184,6 +193,7 @@ class Kiosk : private Pinned {
     void follow_stick(std::int64_t now_ns);
     void offer(std::vector<FilePtr> files, const StickRest& rest);
     void follow_loader();
+    void feel_drawing(const FeelDrawing& order);
     void keep_lines_of_felt();
     void follow_camera();
     void tick();
@@ -234,10 +244,12 @@ class Kiosk : private Pinned {
     Settings settings_;
     VisitRules rules_;
     Pictures pictures_;
+    DeviceProfile profile_;
     KioskHandle handle_;
     std::unique_ptr<VisitorSound> sound_;
     std::unique_ptr<VisitorBraille> braille_;  // null: there is none
     OrderedPicture picture_;
+    Pen pen_;
     std::unique_ptr<FileSource> sticks_;
     std::unique_ptr<PhotoCapture> photos_;
     std::unique_ptr<OperatorSession> operator_;

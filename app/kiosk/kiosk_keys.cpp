@@ -122,6 +122,12 @@ void Kiosk::act(Action action) {
         case Action::toggle_boxes:
             window_wishes_.shows_boxes = !window_wishes_.shows_boxes;
             return;
+        case Action::erase_line:
+            return apply(DrawerKeyPressed{DrawerKey::erase});
+        case Action::undo_line:
+            return apply(DrawerKeyPressed{DrawerKey::undo});
+        case Action::redo_line:
+            return apply(DrawerKeyPressed{DrawerKey::redo});
         case Action::headphones_in:
         case Action::headphones_out:
             return sound_->tell_headphones(action == Action::headphones_in);

@@ -64,6 +64,8 @@ constexpr auto all_rows = [] {
                    "Push that opens a wall", "newtons", "How hard that push has to be.", profile),
         flag_row("feel", "offers_shapes", &Settings::offers_shapes, "Shapes in the hand",
                  "Visitors may hold a shape instead of a point.", profile),
+        flag_row("feel", "offers_drawing", &Settings::offers_drawing, "Drawing for visitors",
+                 "Somebody may draw for a visitor, line by line.", profile),
         flag_row("levels", "automatic", &Settings::is_level_automatic, "Level follows the hand",
                  "The faster the hand, the coarser the line."),
         number_row("levels", "fixed", &Settings::fixed_level, {0.0, 16.0, 1.0}, "Fixed level", "",
