@@ -1,6 +1,7 @@
 #include "app/kiosk/kiosk.h"
 
 #include "app/documents/sticks/spoken_name.h"
+#include "app/kiosk/loading/kiosk_stages.h"
 #include "app/visit/told_lines.h"
 #include "audio-cues/cues/cue_table.h"
 #include "audio-cues/words/language.h"
@@ -38,7 +39,7 @@ struct Kiosk::VisitOrderHandler {
     void operator()(const Utterance& utterance) const {
         if (kiosk.is_operator_in() && utterance.priority != SpeechPriority::safety) return;
         kiosk.key_caption_.clear();
-        kiosk.sound_->say(utterance);
+        kiosk.say(utterance);
     }
 
     void operator()(const Hush&) const { kiosk.sound_->hush(); }
@@ -59,6 +60,8 @@ struct Kiosk::VisitOrderHandler {
         kiosk.tell(kiosk.picture_.want(order, kiosk.visit_.visitor, kiosk.pictures_.of(order),
                                        kiosk.language()));
     }
+
+    void operator()(const FeelDrawing& order) const { kiosk.feel_drawing(order); }
 
     void operator()(const CancelLoad&) const { kiosk.picture_.cancel(); }
 
@@ -93,8 +96,10 @@ Kiosk::Kiosk(KioskParts parts)
     : languages_(std::move(parts.languages)),
       settings_(std::move(parts.settings)),
       pictures_(std::move(parts.gallery)),
+      profile_(parts.profile),
       handle_(std::move(parts.servo), parts.profile, settings_),
       sound_(std::move(parts.sound)),
+      braille_(std::move(parts.braille)),
       picture_(std::move(parts.loader)),
       sticks_(std::move(parts.sticks)),
       photos_(std::move(parts.photos)),
@@ -152,6 +157,7 @@ void Kiosk::follow_rules() {
     rules_.answer_s = settings_.answer_s;
     rules_.offers_staff = settings_.offers_staff;
     rules_.notice = settings_.notice;
+    if (braille_) braille_->choose(settings_.braille);
     if (sticks_)
         sticks_->allow(settings_.more_file_systems ? FileSystems::more : FileSystems::usual);
     if (photos_)
@@ -164,6 +170,7 @@ void Kiosk::wipe() {
     pictures_.forget();
     if (photos_) photos_->forget();
     sound_->forget();
+    if (braille_) braille_->forget();
     handle_.wipe();
 }
 
@@ -175,7 +182,9 @@ void Kiosk::step(std::int64_t now_ns) {
     follow_stick(now_ns);
     follow_loader();
     follow_camera();
+    if (!takes_pen()) pen_.drop();
     handle_.look();
+    follow_braille();
     if (now_s_ - ticked_s_ >= tick_s) tick();
     sound_->step({hand(), shown().scene.get(), handle_.target()});
 }
@@ -244,6 +253,22 @@ void Kiosk::follow_loader() {
             report("a photograph's main thing was not looked for: " + things->why_not);
         apply(ThingsLookedFor{things->request, things->place, things->names});
     }
+}
+
+void Kiosk::feel_drawing(const FeelDrawing& order) {
+    const auto drawing = scene_of_drawing(order.map, profile_);
+    if (!drawing) return report("a drawing cannot be felt: " + drawing.error().line);
+    handle_.servo().feel(drawing->felt);
+    apply(PictureReady{order.request, picture_.put_drawing(order.request, *drawing, language())});
+}
+
+bool Kiosk::takes_pen() const {
+    return touchline::takes_pen(visit_) && !visit_.visitor.look.is_off && !is_operator_in();
+}
+
+void Kiosk::change_pen(const PenChange& change) {
+    if (!takes_pen()) return;
+    tell(pen_.step(change, visit_.visitor.drawing->area()));
 }
 
 /// The first page of a picture stands for it in its list.

@@ -6,12 +6,14 @@
 // Threads: the screen's; the parts hide all other threads. No call waits.
 #pragma once
 
+#include "app/braille/visitor_braille.h"
 #include "app/documents/decode/found_words.h"
 #include "app/force/servo/servo_client.h"
 #include "app/kiosk/kiosk_handle.h"
 #include "app/kiosk/kiosk_keys.h"
 #include "app/kiosk/loading/loader.h"
 #include "app/kiosk/operator_session.h"
+#include "app/kiosk/pen.h"
 #include "app/kiosk/photo_capture.h"
 #include "app/kiosk/pictures.h"
 #include "app/kiosk/stick_source.h"
@@ -35,12 +37,13 @@
 
 namespace touchline {
 
-/// `sticks` and `photos` may be null: the site has none.
+/// `sticks`, `photos` and `braille` may be null: the site has none.
 struct KioskParts {
     std::vector<Language> languages;  // not empty, English first
     Gallery gallery;                  // in these languages
     std::unique_ptr<ServoClient> servo;
     std::unique_ptr<VisitorSound> sound;
+    std::unique_ptr<VisitorBraille> braille;
     std::unique_ptr<Loader> loader;
     std::unique_ptr<FileSource> sticks;
     std::unique_ptr<PhotoCapture> photos;
@@ -81,6 +84,14 @@ class Kiosk : private Pinned {
 
     /// A joystick's axis turned, counter-clockwise: turns a shape in the hand.
     void turn_knob(double by_rad) { apply(KnobTurned{by_rad}); }
+
+    /// Somebody draws for the visitor, if takes_pen().
+    void change_pen(const PenChange& change);
+
+    /// True while a drawing is open and on the screen.
+    [[nodiscard]] bool takes_pen() const;
+
+    [[nodiscard]] const Pen& pen() const { return pen_; }
 
     /// A key of the operator's own keyboard (Settings::operator_device). Only the operator uses it,
     /// so its operator's keys need no PIN.
@@ -182,6 +193,7 @@ class Kiosk : private Pinned {
     void follow_stick(std::int64_t now_ns);
     void offer(std::vector<FilePtr> files, const StickRest& rest);
     void follow_loader();
+    void feel_drawing(const FeelDrawing& order);
     void keep_lines_of_felt();
     void follow_camera();
     void tick();
@@ -190,6 +202,11 @@ class Kiosk : private Pinned {
     void follow_part(Part part, bool is_there);
     [[nodiscard]] std::string device_trouble() const;
     void report(const std::string& line);
+
+    // Words for ears and fingers: kiosk_words.cpp.
+    void say(const Utterance& utterance);
+    void follow_braille();
+    void take_line_event(const LineEvent& event);
 
     // Keys: kiosk_keys.cpp.
     void hold_key(const KeyChange& change);
@@ -227,9 +244,12 @@ class Kiosk : private Pinned {
     Settings settings_;
     VisitRules rules_;
     Pictures pictures_;
+    DeviceProfile profile_;
     KioskHandle handle_;
     std::unique_ptr<VisitorSound> sound_;
+    std::unique_ptr<VisitorBraille> braille_;  // null: there is none
     OrderedPicture picture_;
+    Pen pen_;
     std::unique_ptr<FileSource> sticks_;
     std::unique_ptr<PhotoCapture> photos_;
     std::unique_ptr<OperatorSession> operator_;

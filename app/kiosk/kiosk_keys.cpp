@@ -27,7 +27,7 @@ void Kiosk::answer_staff(const std::string& english) {
 
 void Kiosk::say_of_key(const std::string& text) {
     key_caption_ = text;
-    sound_->say({language().code(), text, SpeechPriority::text});
+    say({language().code(), text, SpeechPriority::text});
 }
 
 /// The window system tells of a held key many times a second.
@@ -122,6 +122,12 @@ void Kiosk::act(Action action) {
         case Action::toggle_boxes:
             window_wishes_.shows_boxes = !window_wishes_.shows_boxes;
             return;
+        case Action::erase_line:
+            return apply(DrawerKeyPressed{DrawerKey::erase});
+        case Action::undo_line:
+            return apply(DrawerKeyPressed{DrawerKey::undo});
+        case Action::redo_line:
+            return apply(DrawerKeyPressed{DrawerKey::redo});
         case Action::headphones_in:
         case Action::headphones_out:
             return sound_->tell_headphones(action == Action::headphones_in);

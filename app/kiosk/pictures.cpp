@@ -173,6 +173,8 @@ FilePtr Pictures::of(const LoadPicture& order) const {
             return at(stick_.empty() ? given_ : stick_, order.index);
         case PictureSource::camera:
             return photo_;
+        case PictureSource::drawing:
+            break;
     }
     return nullptr;
 }
@@ -258,6 +260,19 @@ PictureNews OrderedPicture::refuse(const Delivery& delivery, const Language& lan
     if (!is_answer) news.line = wanted_->is_private ? "a visitor's picture cannot be felt" : line;
     stay_with_felt();
     return news;
+}
+
+PictureFacts OrderedPicture::put_drawing(std::uint64_t request, const LoadedScene& drawing,
+                                         const Language& language) {
+    forget();
+    order_.request = request;
+    order_.source = PictureSource::drawing;
+    felt_order_ = order_;
+    shown_ = drawing.shown;
+    map_ = drawing.felt.map;
+    PictureFacts facts = facts_of(drawing, PictureFile{}, {}, language);
+    parts_ = facts.parts;
+    return facts;
 }
 
 std::optional<std::size_t> OrderedPicture::part_at(const HandState& hand) const {

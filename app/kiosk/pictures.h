@@ -123,6 +123,10 @@ class OrderedPicture {
     /// The map that is felt; null: none.
     [[nodiscard]] const TactileMap* map() const { return map_.get(); }
 
+    /// A drawing is felt, which nothing loads. Returns its facts.
+    PictureFacts put_drawing(std::uint64_t request, const LoadedScene& drawing,
+                             const Language& language);
+
     /// As touchline::part_at() for the map that is felt.
     [[nodiscard]] std::optional<std::size_t> part_at(const HandState& hand) const;
 

@@ -1,5 +1,6 @@
 #include "app/main/kiosk_window.h"
 
+#include "app/braille/braille_line.h"
 #include "app/documents/gallery/gallery.h"
 #include "app/documents/packs/pack_library.h"
 #include "app/documents/sticks/stick_port.h"
@@ -107,6 +108,7 @@ ScreenContent content_of(const Kiosk& kiosk, ServoClient& servo) {
     content.is_preview_on = content.preview != nullptr;
     content.hand = drawn.hand;
     content.shown = drawn.shown;
+    content.stroke = kiosk.pen().line();
     content.language = kiosk.language();
     content.switches = kiosk.switches();
     content.live = live_content_of(kiosk, servo);
@@ -168,7 +170,8 @@ class KioskWindow {
                                         kiosk_->change_key({key, is_down, is_repeat,
                                                             1e-9 * static_cast<double>(now_ns())});
                                     },
-                                    [this](PixelPoint place) { lead_hand(place); },
+                                    [this](PixelPoint place) { move_pointer(place); },
+                                    [this](const PointerPress& press) { press_pen(press); },
                                     [this](double by_rad) {
                                         if (kiosk_) kiosk_->turn_knob(by_rad);
                                     }});
@@ -234,6 +237,7 @@ class KioskWindow {
             std::make_unique<ThreadExecutor>(loading_threads));
         parts.sound = std::make_unique<Sound>(
             std::move(sound_), [client = servo->client.get()] { return client->next_event(); });
+        parts.braille = std::make_unique<BrailleLine>(settings_.braille);
         parts.sticks = std::make_unique<StickSource>(open_stick_port(settings_.watched_folder),
                                                      companion("touchline-import"));
         parts.photos = open_photos();
@@ -260,10 +264,23 @@ class KioskWindow {
         if (!files.empty()) kiosk_->give(std::move(files));
     }
 
-    /// The hand means to be where the pointer is, inside the drawing area.
-    void lead_hand(PixelPoint place) {
+    /// Draws while the pen is down; then the hand stays where it is.
+    void move_pointer(PixelPoint place) {
         if (!screen_ || !kiosk_) return;
         const Position p = screen_->view().to_W(place);
+        if (!kiosk_->pen().is_down()) return lead_hand(p);
+        kiosk_->change_pen({PenMotion::move, p});
+    }
+
+    void press_pen(const PointerPress& press) {
+        if (!screen_ || !kiosk_) return;
+        if (press.is_down && !screen_->shows_picture()) return;
+        const PenMotion motion = press.is_down ? PenMotion::press : PenMotion::lift;
+        kiosk_->change_pen({motion, screen_->view().to_W(press.place), press.is_second});
+    }
+
+    /// The hand means to be where the pointer is, inside the drawing area.
+    void lead_hand(Position p) {
         const ShownScene& shown = kiosk_->shown();
         const Area area = shown.scene ? shown.scene->area : Area{};
         pointer_ = {std::clamp(p.x, -area.width_m / 2.0, area.width_m / 2.0),
@@ -330,6 +347,7 @@ class KioskWindow {
             for (const PhysicalKey& key : operator_keyboard_.take_presses())
                 kiosk_->strike_operator_key(key);
             kiosk_->step(time_ns);
+            window_->show_pointer(kiosk_->takes_pen());
             report_news();
             draw(time_ns);
             signs_.beat(time_ns, servo_->beats());

@@ -38,7 +38,7 @@ bool KioskScreen::draw(const ScreenContent& content, int width_px, int height_px
     layers_.update(content, width_px, height_px, now_ns);
     bool is_new = upload_layers(width_px, height_px);
     if (layers_.has_marks())
-        is_new = update_marks(content.hand, now_ns) || is_new;
+        is_new = update_marks(content, now_ns) || is_new;
     else
         trail_.clear();
     if (!is_new && drawn_ns_ && now_ns - *drawn_ns_ < longest_unseen_ns) return false;
@@ -55,7 +55,7 @@ void KioskScreen::draw_all() {
     if (images_.front().is_filled()) renderer_.draw(images_.front());
     if (layers_.has_marks()) {
         glEnable(GL_BLEND);
-        for (const StrokeBuffer* strokes : {&boxes_, &outlines_, &hand_})
+        for (const StrokeBuffer* strokes : {&boxes_, &outlines_, &pen_, &hand_})
             renderer_.draw(*strokes, width_px_, height_px_);
         glDisable(GL_BLEND);
     }
@@ -63,11 +63,13 @@ void KioskScreen::draw_all() {
         if (images_[i].is_filled()) renderer_.draw(images_[i]);
 }
 
-bool KioskScreen::update_marks(const HandState& hand, std::int64_t now_ns) {
+bool KioskScreen::update_marks(const ScreenContent& content, std::int64_t now_ns) {
+    const HandState& hand = content.hand;
     // Visitors see the finest lines, the staff those that are felt.
     const bool are_outlines_new = update_outlines(layers_.shown().live ? hand.level : 0.0, now_ns);
     const bool are_boxes_new = update_boxes(hand);
-    return update_hand(hand, now_ns) || are_outlines_new || are_boxes_new;
+    const bool is_pen_new = update_pen(content.stroke);
+    return update_hand(hand, now_ns) || are_outlines_new || are_boxes_new || is_pen_new;
 }
 
 bool KioskScreen::upload_layers(int width_px, int height_px) {
@@ -119,6 +121,13 @@ bool KioskScreen::update_boxes(const HandState& hand) {
                   palette_of(shown.palette));
     }
     return boxes_.upload(strokes_);
+}
+
+bool KioskScreen::update_pen(const std::vector<Position>& stroke_W) {
+    strokes_.clear();
+    add_pen(strokes_, layers_.view(), stroke_W, unit_px(cap_px_),
+            palette_of(layers_.shown().palette));
+    return pen_.upload(strokes_);
 }
 
 bool KioskScreen::update_hand(const HandState& hand, std::int64_t now_ns) {

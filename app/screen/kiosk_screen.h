@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace touchline {
 
@@ -31,6 +32,9 @@ class KioskScreen {
     /// The place on the screen of the picture drawn last.
     [[nodiscard]] const View& view() const { return layers_.view(); }
 
+    /// True if it lies there now, and lines and hand over it.
+    [[nodiscard]] bool shows_picture() const { return layers_.has_marks(); }
+
     /// The display lost what was drawn: the next frame is drawn whatever it shows.
     void lose_frame() { drawn_ns_.reset(); }
 
@@ -42,10 +46,11 @@ class KioskScreen {
     // Each returns whether anything looks different now.
     [[nodiscard]] bool upload_layers(int width_px, int height_px);
     [[nodiscard]] bool upload(std::size_t image, const StillLayer& layer);
-    [[nodiscard]] bool update_marks(const HandState& hand, std::int64_t now_ns);
+    [[nodiscard]] bool update_marks(const ScreenContent& content, std::int64_t now_ns);
     [[nodiscard]] bool update_outlines(double level, std::int64_t now_ns);
     [[nodiscard]] bool update_boxes(const HandState& hand);
     [[nodiscard]] bool update_hand(const HandState& hand, std::int64_t now_ns);
+    [[nodiscard]] bool update_pen(const std::vector<Position>& stroke_W);
     void draw_all();
 
     double cap_px_;
@@ -56,7 +61,7 @@ class KioskScreen {
     int width_px_ = 0;
     int height_px_ = 0;
     Strokes strokes_;
-    StrokeBuffer outlines_, boxes_, hand_;
+    StrokeBuffer outlines_, boxes_, pen_, hand_;
     double level_ = 0.0;                  // of the outlines drawn last
     std::uint64_t outlined_version_ = 0;  // of the picture layer below them
     ChangePace outline_pace_;

@@ -153,6 +153,18 @@ void add_boxes(Strokes& strokes, const View& view, std::span<const ErrorBox> box
     }
 }
 
+void add_pen(Strokes& strokes, const View& view, std::span<const Position> stroke_W,
+             double width_px, const Palette& palette) {
+    constexpr double least_px = 2.0;
+    PixelLine line;
+    for (const Position& p_W : stroke_W) {
+        const PixelPoint at = view.to_px(p_W);
+        if (line.empty() || norm(at - line.back()) >= least_px) line.push_back(at);
+    }
+    if (line.size() == 1) line.push_back(line.front());
+    add_line(strokes, line, width_px, {palette.pen});
+}
+
 void add_hand(Strokes& strokes, const View& view, const HandState& hand, double proxy_radius_m,
               double unit_px, const Palette& palette) {
     constexpr double arrow_units_per_N = 40.0;

@@ -77,6 +77,11 @@ void add_boxes(Strokes& strokes, const View& view, std::span<const ErrorBox> box
 void add_hand(Strokes& strokes, const View& view, const HandState& hand, double proxy_radius_m,
               double unit_px, const Palette& palette = white_on_black);
 
+/// A stroke of the pen (W) that is not finished; a dot if it has one point. Leaves out points less
+/// than two pixels from the last one kept. O(points).
+void add_pen(Strokes& strokes, const View& view, std::span<const Position> stroke_W,
+             double width_px, const Palette& palette = white_on_black);
+
 /// Draws it bold where lines hold it, thin where the hand wants it, and its torque as an arc with a
 /// head around the handle: a third of a turn for 15 mN m. Draws nothing for a point.
 void add_shape(Strokes& strokes, const View& view, const HandState& hand, double unit_px,

@@ -41,6 +41,7 @@ struct ScreenContent {
     bool is_preview_on = true;
     HandState hand;
     ShownScene shown;                       // with ScreenView::picture
+    std::vector<Position> stroke;           // of the pen, in W, while it is down; may be empty
     std::shared_ptr<const Canvas> preview;  // null: no frame yet
     Language language;                      // the screen's
     SwitchUse switches = SwitchUse::none;   // instead of the keys

@@ -37,6 +37,7 @@ struct Palette {
     Colour handle;
     Colour proxy;
     Colour force;
+    Colour pen;  // a stroke that is not finished
     /// How much of the picture shows over the background: little enough that every mark stands out
     /// on white paper and on black alike.
     double picture_alpha = 0.35;
@@ -56,6 +57,7 @@ inline constexpr Palette white_on_black{
     .handle = {1.0, 1.0, 1.0},
     .proxy = {0.18, 0.95, 0.78},
     .force = {1.0, 0.50, 0.95},
+    .pen = {0.36, 0.78, 1.0},
 };
 
 inline constexpr Palette black_on_white{
@@ -70,6 +72,7 @@ inline constexpr Palette black_on_white{
     .handle = {0.0, 0.0, 0.0},
     .proxy = {0.45, 0.0, 0.0},
     .force = {0.35, 0.0, 0.35},
+    .pen = {0.0, 0.25, 0.35},
 };
 
 inline constexpr Palette yellow_on_black{
@@ -84,6 +87,7 @@ inline constexpr Palette yellow_on_black{
     .handle = {1.0, 1.0, 1.0},
     .proxy = {0.18, 0.95, 0.78},
     .force = {1.0, 0.50, 0.95},
+    .pen = {0.36, 0.78, 1.0},
 };
 
 /// Neither background nor letters use the screen's full range, for eyes that light hurts.
@@ -99,6 +103,7 @@ inline constexpr Palette low_glare_grey{
     .handle = {0.90, 0.90, 0.88},
     .proxy = {0.50, 0.90, 0.78},
     .force = {0.95, 0.72, 0.92},
+    .pen = {0.55, 0.80, 0.92},
     .picture_alpha = 0.25,
 };
 

@@ -147,12 +147,18 @@ Window::Window(GLFWwindow* window, bool is_full_screen, Listener listener)
                                     action == GLFW_REPEAT);
     });
     glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) {
-        auto* const self = static_cast<Window*>(glfwGetWindowUserPointer(w));
-        int width = 0;
-        int height = 0;
-        glfwGetWindowSize(w, &width, &height);  // the pointer's unit may be several pixels
-        if (width <= 0 || height <= 0) return;
-        self->listener_.pointer_moved({x * self->width_px_ / width, y * self->height_px_ / height});
+        const auto* const self = static_cast<Window*>(glfwGetWindowUserPointer(w));
+        if (const auto place = self->in_pixels(x, y)) self->listener_.pointer_moved(*place);
+    });
+    glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int) {
+        if (button != GLFW_MOUSE_BUTTON_LEFT && button != GLFW_MOUSE_BUTTON_RIGHT) return;
+        const auto* const self = static_cast<Window*>(glfwGetWindowUserPointer(w));
+        double x = 0.0;
+        double y = 0.0;
+        glfwGetCursorPos(w, &x, &y);
+        if (const auto place = self->in_pixels(x, y))
+            self->listener_.pointer_pressed(
+                {*place, action == GLFW_PRESS, button == GLFW_MOUSE_BUTTON_RIGHT});
     });
     if (is_full_screen_) glfwSetInputMode(window_, GLFW_CURSOR, GLFW_CURSOR_HIDDEN);
     update_size();
@@ -169,6 +175,21 @@ void Window::update_size() {
     glfwGetFramebufferSize(window_, &width, &height);
     width_px_ = std::max(width, 1);
     height_px_ = std::max(height, 1);
+}
+
+/// The pointer's unit may be several pixels.
+std::optional<PixelPoint> Window::in_pixels(double x, double y) const {
+    int width = 0;
+    int height = 0;
+    glfwGetWindowSize(window_, &width, &height);
+    if (width <= 0 || height <= 0) return std::nullopt;
+    return PixelPoint{x * width_px_ / width, y * height_px_ / height};
+}
+
+void Window::show_pointer(bool is_shown) {
+    if (!is_full_screen_ || is_shown == is_pointer_shown_) return;
+    is_pointer_shown_ = is_shown;
+    glfwSetInputMode(window_, GLFW_CURSOR, is_shown ? GLFW_CURSOR_NORMAL : GLFW_CURSOR_HIDDEN);
 }
 
 /// A window manager lets a full-screen window follow its monitor; without one GLFW leaves it as it

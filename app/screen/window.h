@@ -45,12 +45,21 @@ class Knob {
 /// The present time of Window::wait_until()'s clock (the steady clock).
 [[nodiscard]] std::int64_t now_ns();
 
+/// A button of the pointer went down or up. A pen's tip is the first button, the button on its side
+/// the second.
+struct PointerPress {
+    PixelPoint place;
+    bool is_down = false;
+    bool is_second = false;
+};
+
 class Window : private Pinned {
   public:
     /// wait_until() calls these as things happen.
     struct Listener {
         std::function<void(const PhysicalKey&, bool is_down, bool is_repeat)> key_changed;
         std::function<void(PixelPoint)> pointer_moved;
+        std::function<void(const PointerPress&)> pointer_pressed;
         std::function<void(double by_rad)> knob_turned;  // counter-clockwise
     };
 
@@ -71,6 +80,9 @@ class Window : private Pinned {
     /// True if the person at the window system asked to close it.
     [[nodiscard]] bool is_closing() const;
 
+    /// Shows or hides the pointer's arrow over a full-screen window, which begins without.
+    void show_pointer(bool is_shown);
+
     /// Shows what was drawn.
     void show_frame();
 
@@ -84,6 +96,7 @@ class Window : private Pinned {
     Window(GLFWwindow* window, bool is_full_screen, Listener listener);
 
     void update_size();
+    [[nodiscard]] std::optional<PixelPoint> in_pixels(double x, double y) const;
     void follow_monitor();
     void read_joysticks();
     void read_knob();
@@ -96,8 +109,9 @@ class Window : private Pinned {
     std::vector<bool> buttons_;      // the joystick's: is it down?
     Knob knob_;                      // the joystick's first axis
     std::int64_t next_look_ns_ = 0;  // when to check the monitor again
-    bool is_exposed_ = false;        // since somebody asked
-    bool was_covered_ = true;        // the window covered the monitor at the last check
+    bool is_pointer_shown_ = false;
+    bool is_exposed_ = false;  // since somebody asked
+    bool was_covered_ = true;  // the window covered the monitor at the last check
 };
 
 }  // namespace touchline

@@ -241,7 +241,8 @@ bool is_one_of(const VisitEvent& event) {
 /// What a visitor does and hears an answer to. A hand that moves hears the names of parts alone.
 bool is_act(const VisitEvent& event) {
     return is_one_of<KeyPressed, KeyHeld, SpeechKeyPressed, DeadKeyPressed, HeadphonesChanged,
-                     StickArriving, StickCame, StickGone, QuitAsked>(event);
+                     StickArriving, StickCame, StickGone, QuitAsked, PenStroke, DrawerKeyPressed>(
+        event);
 }
 
 /// The orders that follow from the state alone; they come before what the step said and did.
@@ -261,6 +262,9 @@ VisitStep finish(const Visit& before, VisitWork work) {
     Visitor& visitor = work.visitor;
     visitor.feel.is_force_wanted = visitor.felt.has_value();
     if (!work.world.settings.offers_shapes) visitor.feel.shape = HeldShape::none;
+    if (!visitor.felt || visitor.felt->order.source != PictureSource::drawing)
+        visitor.drawing.reset();
+    visitor.is_erasing = visitor.is_erasing && visitor.drawing != nullptr;
     if (!is_waited_for(visitor)) {
         visitor.waiting.reset();
     } else if (!visitor.waiting) {

@@ -3,6 +3,7 @@
 // Threads: values and pure functions.
 #pragma once
 
+#include "app/documents/drawing/drawing.h"
 #include "app/documents/sticks/listing.h"
 #include "app/documents/sticks/spoken_name.h"
 #include "app/visit/screen_model.h"
@@ -58,6 +59,7 @@ enum class VisitItem : int {
     gallery,
     stick,
     camera,
+    draw_for_me,
     settings,
     call_staff,
     finish,
@@ -78,6 +80,9 @@ enum class VisitItem : int {
     turn_left,
     turn_right,
     turn_back,
+    undo_line,
+    redo_line,
+    erase_line,
     pages,
     another_picture,
     next_picture,
@@ -278,7 +283,9 @@ struct Visitor {
     Feel feel;
     int detail = 3;  // for the next picture too
     std::optional<KnownPicture> felt;
-    std::optional<FeltBefore> before;  // one step back from what is felt; none: no change yet
+    std::shared_ptr<const Drawing> drawing;  // what is felt, if somebody draws it; else null
+    bool is_erasing = false;                 // the next stroke erases
+    std::optional<FeltBefore> before;        // one step back from what is felt; none: no change yet
     std::vector<std::pair<PictureSource, std::size_t>> pictures_felt;  // by a hand that moved
     bool is_told_shortly = false;  // the rest follows when the search for its things ends
     std::optional<Loading> loading;
@@ -335,6 +342,9 @@ struct VisitStep {
 
 /// True while somebody is here: nothing of the visit may be lost, and time-outs run.
 [[nodiscard]] bool is_visit_on(const Visit& visit);
+
+/// True while a drawing is open, and the pen may draw: Visitor::drawing has a value.
+[[nodiscard]] bool takes_pen(const Visit& visit);
 
 [[nodiscard]] const Language& language_of(const Visit& visit, const VisitWorld& world);
 

@@ -44,6 +44,20 @@ struct SpeechKeyPressed {
 /// A key without a meaning.
 struct DeadKeyPressed {};
 
+/// Somebody who draws for the visitor finished a stroke, or touched with the pen's eraser: where
+/// the pen went, in the map that is felt.
+struct PenStroke {
+    std::vector<Position> points_W;
+    bool is_eraser = false;
+};
+
+/// Keys of whoever draws. Each is also an item of the drawing's screen, or the pen's eraser.
+enum class DrawerKey : std::uint8_t { erase, undo, redo };
+
+struct DrawerKeyPressed {
+    DrawerKey key = DrawerKey::undo;
+};
+
 /// A knob was turned: the angle since the last event.
 struct KnobTurned {
     double by_rad = 0.0;  // counter-clockwise
@@ -56,6 +70,11 @@ struct HandleSeen {
     bool has_moved = false;           // a hand has moved it since the last event
     double speed_m_per_s = 0.0;
     bool is_led = false;  // it moves by itself now; false while it waits for a hand
+};
+
+/// A page of the braille line was turned; at an end there was none to turn to.
+struct LineRead {
+    bool is_at_end = false;
 };
 
 struct HeadphonesChanged {
@@ -178,10 +197,10 @@ struct StaffCalledOff {};
 struct QuitAsked {};
 
 using VisitEvent =
-    std::variant<Tick, KeyPressed, KeyHeld, SpeechKeyPressed, DeadKeyPressed, KnobTurned,
-                 HandleSeen, HeadphonesChanged, StickArriving, StickCame, PicturesGiven, StickGone,
-                 PictureReady, ThingsLookedFor, PictureFailed, CameraChanged, CameraCaptured,
-                 CameraFailed, GuidanceEnded, TroubleBegan, TroubleEnded, OpeningChanged,
-                 SettingsChanged, StaffCalledOff, QuitAsked>;
+    std::variant<Tick, KeyPressed, KeyHeld, SpeechKeyPressed, DeadKeyPressed, KnobTurned, PenStroke,
+                 DrawerKeyPressed, HandleSeen, LineRead, HeadphonesChanged, StickArriving,
+                 StickCame, PicturesGiven, StickGone, PictureReady, ThingsLookedFor, PictureFailed,
+                 CameraChanged, CameraCaptured, CameraFailed, GuidanceEnded, TroubleBegan,
+                 TroubleEnded, OpeningChanged, SettingsChanged, StaffCalledOff, QuitAsked>;
 
 }  // namespace touchline

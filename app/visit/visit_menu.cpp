@@ -18,8 +18,8 @@ const char* hint_of_choice(const VisitWorld& world) {
     return moves_by_itself(world) ? only_hint : switch_hint;
 }
 
-std::array<VisitMenu, 4> menus() {
-    return {main_menu(), picture_menu(), settings_menu(), list_menu()};
+std::array<VisitMenu, 5> menus() {
+    return {main_menu(), picture_menu(), drawing_menu(), settings_menu(), list_menu()};
 }
 
 std::string told_value(const VisitSheet& sheet, const VisitSetting& setting) {

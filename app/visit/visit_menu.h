@@ -133,6 +133,7 @@ struct VisitMenu {
 
 [[nodiscard]] VisitMenu main_menu();      // visit_screens.cpp
 [[nodiscard]] VisitMenu picture_menu();   // visit_picture_screens.cpp
+[[nodiscard]] VisitMenu drawing_menu();   // visit_drawing.cpp
 [[nodiscard]] VisitMenu settings_menu();  // visit_settings.cpp
 [[nodiscard]] VisitMenu list_menu();      // visit_lists.cpp
 

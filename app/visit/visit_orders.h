@@ -8,6 +8,7 @@
 #include "audio-cues/speech/speech_queue.h"
 #include "config/types/guidance.h"
 #include "config/types/hand_state.h"
+#include "config/types/tactile_map.h"
 #include "config/types/vec2.h"
 
 #include <array>
@@ -49,7 +50,8 @@ struct GivePattern {
     HandlePattern pattern = HandlePattern::focus;
 };
 
-enum class PictureSource : std::uint8_t { practice, gallery, stick, camera };
+/// drawing: made here, line by line; it is never loaded.
+enum class PictureSource : std::uint8_t { practice, gallery, stick, camera, drawing };
 
 /// The part of the picture that fills the area, as in vision/simplify/zoom.h.
 struct ZoomWanted {
@@ -80,6 +82,12 @@ struct LoadPicture {
 /// The result is no longer wanted; what is felt stays.
 struct CancelLoad {
     std::uint64_t request = 0;
+};
+
+/// A drawing as it is now, to be felt at once. Answered by PictureReady with the same request.
+struct FeelDrawing {
+    std::uint64_t request = 0;  // of the drawing
+    TactileMap map;             // `drawing` is set; the kiosk numbers the version
 };
 
 /// Goes to the servo. The force is wanted while there is a picture to feel.
@@ -147,8 +155,8 @@ struct CallStaff {
 struct Quit {};
 
 using VisitOrder = std::variant<Utterance, Hush, HoldSpeech, GiveCue, GivePattern, LoadPicture,
-                                CancelLoad, Feel, Guide, CameraPreview, Capture, GiveStickBack,
-                                Wipe, SoundWanted, LookWanted, CallStaff, Quit>;
+                                CancelLoad, FeelDrawing, Feel, Guide, CameraPreview, Capture,
+                                GiveStickBack, Wipe, SoundWanted, LookWanted, CallStaff, Quit>;
 
 using VisitOrders = std::vector<VisitOrder>;
 

@@ -223,6 +223,8 @@ void open_unasked(VisitWork& work) {
     Visitor& visitor = work.visitor;
     if (visitor.loading) {
         load(work, *visitor.loading);
+    } else if (visitor.drawing) {
+        feel_drawing(work);
     } else if (visitor.felt) {
         load(work, {visitor.felt->order, LoadReason::unasked, visitor.felt->facts.title});
     }
@@ -268,7 +270,7 @@ void take(VisitWork& work, const PictureReady& ready) {
     if (!visitor.felt || visitor.felt->order.request != ready.request) return;
     const std::size_t known = visitor.felt->facts.parts.size();
     visitor.felt->facts = ready.facts;
-    if (ready.facts.parts.size() <= known) return;
+    if (visitor.drawing || ready.facts.parts.size() <= known) return;
     cue(work, ScreenEvent::news);
     say(work,
         language_of(work).counted("visit", "{0} name was found in the picture.",

@@ -68,8 +68,13 @@ bool of_page(const VisitSheet& sheet) {
     return !is_of_things(sheet) && holds(sheet);
 }
 
+/// A drawing is felt whole, and as it is drawn.
+bool is_loaded(const VisitSheet& sheet) {
+    return !sheet.visitor().drawing;
+}
+
 bool offers_shape(const VisitSheet& sheet) {
-    return sheet.world.settings.offers_shapes && has_outline(sheet);
+    return sheet.world.settings.offers_shapes && has_outline(sheet) && is_loaded(sheet);
 }
 
 bool holds_shape(const VisitSheet& sheet) {
@@ -128,6 +133,10 @@ void write_picture(VisitSheet& sheet) {
     const PictureFacts& facts = facts_of(sheet);
     sheet.screen.title = picture_title(sheet);
     sheet.screen.title_recording = facts.title_recording;
+    if (!is_loaded(sheet)) {
+        sheet.sentence("Somebody beside you draws with a mouse or a pen.");
+        sheet.sentence("You feel each line once it is finished.");
+    }
     sheet.told({facts.description, facts.description_recording});
     sheet.told(words_of(facts.names, sheet.language));
     sheet.told(sheet.language.counted("count", "{0} outline", "{0} outlines", facts.outline_count));
@@ -310,6 +319,7 @@ void choose_another(VisitWork& work) {
             go_to(work, VisitScreen::camera);
             break;
         case PictureSource::practice:
+        case PictureSource::drawing:
             go_to(work, VisitScreen::choose);
             break;
     }
@@ -381,8 +391,9 @@ constexpr auto picture_items = std::to_array<VisitItemRow>({
     {S::picture, I::bring_back, "Bring me back to a line", bring_back, nullptr, has_outline,
      nullptr, true},
     {S::picture, I::tell_again, "Tell me again", tell_again},
-    {S::picture, I::detail, "Detail", VisitSetting{named<details>, {chosen_detail, choose_detail}}},
-    {S::picture, I::zoom, "Enlargement", S::zoom, nullptr, nullptr, told_zoom},
+    {S::picture, I::detail, "Detail", VisitSetting{named<details>, {chosen_detail, choose_detail}},
+     nullptr, is_loaded},
+    {S::picture, I::zoom, "Enlargement", S::zoom, nullptr, is_loaded, told_zoom},
     {S::picture, I::mode, "Kind of line", VisitSetting{named<modes>, {chosen_mode, choose_mode}}},
     {S::picture, I::stiffness, "Firmness",
      VisitSetting{stiffness_names, kept_in<&Visitor::feel, &Feel::stiffness>}},

@@ -312,6 +312,8 @@ constexpr auto main_items = std::to_array<VisitItemRow>({
      [](const VisitSheet& sheet) { return sheet.world.rules.has_stick_port; }, stick_value},
     {S::choose, I::camera, "Camera", S::camera, "Takes a photo of what lies under it.",
      [](const VisitSheet& sheet) { return sheet.world.rules.has_camera; }, camera_value},
+    {S::choose, I::draw_for_me, "Draw for me", draw_for_me, "Somebody draws, and you feel it.",
+     [](const VisitSheet& sheet) { return sheet.world.settings.offers_drawing; }},
     {S::choose, I::settings, "Settings", S::settings, "Volume, speech, language and letters."},
     {S::choose, I::call_staff, "Call staff", call_staff_or_not, nullptr,
      [](const VisitSheet& sheet) { return sheet.world.rules.offers_staff; }, staff_value},

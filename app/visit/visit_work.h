@@ -140,6 +140,14 @@ bool keep_whole(VisitWork& work);
 /// Title, how it is drawn, overview, parts.
 [[nodiscard]] SpokenText told_picture(const VisitWork& work);
 
+// A drawing (visit_drawing.cpp).
+
+/// Begins a new one.
+void draw_for_me(VisitWork& work);
+
+/// Has the drawing felt as it is now, its lines named in the visitor's language.
+void feel_drawing(VisitWork& work);
+
 /// Calls the staff, and goes back to what help, the question or a trouble of the handle covers
 /// (visit_screens.cpp).
 void call_staff(VisitWork& work);
@@ -189,6 +197,10 @@ void take(VisitWork& work, const KeyHeld& held);
 void take(VisitWork& work, const SpeechKeyPressed& key);
 void take(VisitWork& work, const DeadKeyPressed& key);
 void take(VisitWork& work, const HandleSeen& handle);
+/// Whoever turns pages is there. It does not stop a handle that leads: whoever is led may read.
+void take(VisitWork& work, const LineRead& read);
+void take(VisitWork& work, const PenStroke& stroke);  // visit_drawing.cpp
+void take(VisitWork& work, const DrawerKeyPressed& key);
 /// Turns a held shape. Says nothing: the hand feels a knob turn.
 void take(VisitWork& work, const KnobTurned& knob);
 void take(VisitWork& work, const PictureReady& ready);  // visit_picture.cpp

@@ -11,6 +11,7 @@ using Names = std::array<std::string_view, 4>;
 constexpr Names modes{"wall", "groove", "ridge", "stay"};
 constexpr std::array<std::string_view, 3> amounts{"none", "short", "all"};
 constexpr std::array<std::string_view, 3> switches{"off", "move and select", "by itself"};
+constexpr std::array<std::string_view, 3> braille_uses{"off", "uncontracted", "contracted"};
 constexpr Names text_sizes{"standard", "large", "larger", "largest"};
 constexpr Names palettes{"light on dark", "dark on light", "warm on dark", "low glare"};
 
@@ -63,6 +64,8 @@ constexpr auto all_rows = [] {
                    "Push that opens a wall", "newtons", "How hard that push has to be.", profile),
         flag_row("feel", "offers_shapes", &Settings::offers_shapes, "Shapes in the hand",
                  "Visitors may hold a shape instead of a point.", profile),
+        flag_row("feel", "offers_drawing", &Settings::offers_drawing, "Drawing for visitors",
+                 "Somebody may draw for a visitor, line by line.", profile),
         flag_row("levels", "automatic", &Settings::is_level_automatic, "Level follows the hand",
                  "The faster the hand, the coarser the line."),
         number_row("levels", "fixed", &Settings::fixed_level, {0.0, 16.0, 1.0}, "Fixed level", "",
@@ -83,6 +86,8 @@ constexpr auto all_rows = [] {
                  "Languages on offer", "What a visitor can choose from, in this order.", profile),
         text_row("language", "first", &Settings::first_language, TextKind::language,
                  "First language", "Every visit begins in this language.", profile),
+        choice_row("language", "braille", &Settings::braille, braille_uses, "Braille display",
+                   "How texts are written on a braille display that is plugged in."),
         number_row("time", "inactivity_s", &Settings::inactivity_s, {30.0, 1800.0, 30.0},
                    "Time without a key press", "seconds",
                    "After this time the kiosk asks whether somebody is there.", profile),

@@ -19,7 +19,8 @@ struct Settings {
     bool has_pop_through = false;
     double pop_through_N =
         1.5;  // twice the force needed to feel a line: nobody falls through by chance
-    bool offers_shapes = false;  // a visitor may hold a shape instead of a point
+    bool offers_shapes = false;   // a visitor may hold a shape instead of a point
+    bool offers_drawing = false;  // somebody may draw for a visitor
     // levels
     bool is_level_automatic = true;
     int fixed_level = 0;
@@ -34,6 +35,7 @@ struct Settings {
     // language
     std::string languages = "en de fr es it";  // codes, in the order in which they are offered
     std::string first_language = "en";         // one of them
+    BrailleUse braille = BrailleUse::uncontracted;
     // time
     double inactivity_s = 90.0;
     double answer_s = 30.0;

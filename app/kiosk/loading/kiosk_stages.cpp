@@ -220,15 +220,25 @@ FoundPtr KioskStages::reread(const FoundView& found) const {
         .value_or(nullptr);
 }
 
-FeltPicture nothing_to_feel(const DeviceProfile& profile) {
-    TactileMap map;
-    map.version = next_version();
+Result<LoadedScene> scene_of_drawing(TactileMap drawing, const DeviceProfile& profile) {
+    drawing.version = next_version();
     const SceneOrder order = felt_order(profile);
-    auto scene = build_scene(map, order);
-    assert(scene && "an empty map is a sound one");
-    const RecordedMap recorded{map.version, "", 0, hash_of(map)};
-    return {std::make_shared<const Scene>(std::move(*scene)),
-            std::make_shared<const TactileMap>(std::move(map)), order, recorded};
+    auto scene = build_scene(drawing, order);
+    if (!scene) return tl::unexpected(scene.error());
+    LoadedScene result;
+    result.facts.title = drawing.title;
+    result.facts.outline_count = static_cast<int>(drawing.outlines.size());
+    result.shown.scene = std::make_shared<const Scene>(std::move(*scene));
+    const RecordedMap recorded{drawing.version, "", 0, hash_of(drawing)};
+    result.felt = {result.shown.scene, std::make_shared<const TactileMap>(std::move(drawing)),
+                   order, recorded};
+    return result;
+}
+
+FeltPicture nothing_to_feel(const DeviceProfile& profile) {
+    auto nothing = scene_of_drawing({}, profile);
+    assert(nothing && "an empty map is a sound one");
+    return std::move(nothing->felt);
 }
 
 FilePtr file_at(const std::string& path) {

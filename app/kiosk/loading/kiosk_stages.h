@@ -69,6 +69,11 @@ class KioskStages final : public Stages {
 /// An empty picture, so that after a visit nothing of it stays with the servo.
 [[nodiscard]] FeltPicture nothing_to_feel(const DeviceProfile& profile);
 
+/// What is felt and shown of a drawing, whose version it numbers. Its errors are those of
+/// build_scene(). O(N log N).
+[[nodiscard]] Result<LoadedScene> scene_of_drawing(TactileMap drawing,
+                                                   const DeviceProfile& profile);
+
 /// The file at a path, with the text beside it.
 [[nodiscard]] FilePtr file_at(const std::string& path);
 

@@ -47,6 +47,7 @@ KioskWorld::KioskWorld(bool is_in_window, Gallery gallery, ThingFinder finder,
     parts.gallery = std::move(gallery);
     parts.servo = std::move(servo);
     parts.sound = make_sound ? make_sound(heard_) : std::make_unique<HeardSound>(heard_);
+    parts.braille = std::make_unique<ReadBraille>(line_);
     parts.profile = default_profile();
     parts.loader = std::make_unique<Loader>(
         std::make_shared<const KioskStages>(parts.profile, PageReader(), std::move(finder)),
@@ -80,7 +81,7 @@ void KioskWorld::run(double for_s) {
     const double end_s = now_s_ + for_s;
     while (now_s_ < end_s) {
         now_s_ += frame_s;
-        heard_->now_s = now_s_;
+        heard_->now_s = line_->now_s = now_s_;
         servo_->run_until(now_s_);
         kiosk_->step(static_cast<std::int64_t>(1e9 * now_s_));
     }

@@ -75,6 +75,21 @@ TEST(Marks, TheHandIsRingDotAndArrow) {
         covers(strokes, view.to_px(hand.p_WH) + PixelPoint{0.0, -100.0}, white_on_black.force));
 }
 
+TEST(Marks, AStrokeOfThePenIsThinAndOfItsOwnColour) {
+    const std::vector<Position> stroke{{0.0, 0.0}, {1e-6, 0.0}, {0.01, 0.0}, {0.01, 0.01}};
+    Strokes strokes;
+    add_pen(strokes, view, stroke, 2.0);
+    EXPECT_EQ(stroke_count(strokes), 2) << "what nobody can tell apart is left out";
+    EXPECT_TRUE(covers(strokes, view.to_px({0.005, 0.0}), white_on_black.pen));
+    EXPECT_FALSE(covers(strokes, view.to_px({0.005, 0.0}), white_on_black.outline));
+    strokes.clear();
+    add_pen(strokes, view, std::vector<Position>{{0.0, 0.0}}, 2.0);
+    EXPECT_EQ(stroke_count(strokes), 1) << "a dot where the pen is put down";
+    strokes.clear();
+    add_pen(strokes, view, {}, 2.0);
+    EXPECT_EQ(stroke_count(strokes), 0);
+}
+
 TEST(Marks, AHandThatIsNowhereDrawsNothing) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     HandState hand;

@@ -101,10 +101,24 @@ bool has_input_ended() {
 }
 
 void run(const std::string& file, TextSize size) {
-    const auto window = value_of(Window::open(
-        true, {[](const PhysicalKey&, bool, bool) {}, [](PixelPoint) {}, [](double) {}}));
-    KioskScreen screen = value_of(KioskScreen::make(cap_px));
     ScreenContent content = fish_content();
+    const KioskScreen* shown = nullptr;
+    bool is_down = false;
+    const auto draw_at = [&](PixelPoint place) {
+        if (is_down && shown != nullptr) content.stroke.push_back(shown->view().to_W(place));
+    };
+    const auto window =
+        value_of(Window::open(true, {[](const PhysicalKey&, bool, bool) {}, draw_at,
+                                     [&](const PointerPress& press) {
+                                         is_down = press.is_down && !press.is_second;
+                                         draw_at(press.place);
+                                         fmt::print("{} {}\n", press.is_second ? "second" : "first",
+                                                    press.is_down ? "down" : "up");
+                                         std::fflush(stdout);
+                                     },
+                                     [](double) {}}));
+    KioskScreen screen = value_of(KioskScreen::make(cap_px));
+    shown = &screen;
     content.text_size = size;
     draw_and_measure(*window, screen, content);
     const bool is_drawn_again =

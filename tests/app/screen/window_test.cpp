@@ -66,6 +66,26 @@ TEST_F(BareDisplay, DrawsNoFrameThatWouldLookTheSame) {
         << text_of("out.txt");
 }
 
+/// Buttons of the pointer, as a mouse and a tablet's pen have them; the stroke is drawn while the
+/// button is still down.
+TEST_F(BareDisplay, AStrokeOfThePointerIsSeenAsItIsDrawn) {
+    const std::string draw = R"(
+        xdotool mousemove 100 300 mousedown 1
+        for x in 150 200 250 300 350 400; do xdotool mousemove $x 300; sleep 0.1; done
+        sleep 1
+        import -window root root.png
+        xdotool mouseup 1 click 3
+        sleep 1
+        convert root.png -fuzz 30% -crop 200x20+150+290 +repage -fill black +opaque '#5CC7FF' \
+            -fill white -opaque '#5CC7FF' -format '%[fx:mean]' info: >pen.txt
+    )";
+    ASSERT_EQ(run_script("1280x800", draw), 0) << text_of("err.txt");
+    EXPECT_GT(std::stod(text_of("pen.txt")), 0.03);
+    EXPECT_NE(text_of("out.txt").find("first down\nfirst up\nsecond down\nsecond up\n"),
+              std::string::npos)
+        << text_of("out.txt");
+}
+
 TEST_F(BareDisplay, TheWindowCoversAnUprightMonitor) {
     EXPECT_EQ(run_script("1080x1920", compare), 0) << text_of("err.txt");
     EXPECT_EQ(text_of("size.txt"), "1080x1920");

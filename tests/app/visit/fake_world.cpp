@@ -49,9 +49,22 @@ PictureFacts fake_facts(const LoadPicture& order) {
     return facts;
 }
 
+PictureFacts facts_of_drawing(const TactileMap& map) {
+    PictureFacts facts;
+    facts.title = map.title;
+    facts.outline_count = static_cast<int>(map.outlines.size());
+    for (std::size_t i = 0; i < map.outlines.size(); ++i) {
+        const Outline& outline = map.outlines[i];
+        facts.parts.push_back({outline.label, outline.points.front(), outline.points.front(), 1,
+                               static_cast<int>(i)});
+    }
+    return facts;
+}
+
 FakeHouse::FakeHouse(VisitRules house_rules) : rules(std::move(house_rules)) {
     for (const Language& language : languages) gallery.push_back(twelve_pictures(language.code()));
     settings.offers_shapes = true;
+    settings.offers_drawing = true;
     VisitStep first = start_visit(world());
     visit = std::move(first.visit);
     orders = std::move(first.orders);
@@ -74,6 +87,8 @@ void FakeHouse::carry_out(const VisitOrder& order) {
     }
     if (std::holds_alternative<GiveCue>(order)) sounded_s = now_s;
     if (const auto* load = std::get_if<LoadPicture>(&order)) carry_out_load(*load);
+    if (const auto* felt = std::get_if<FeelDrawing>(&order))
+        due_.push_back({now_s, PictureReady{felt->request, facts_of_drawing(felt->map)}});
     if (std::holds_alternative<Capture>(order)) due_.push_back({now_s + 0.5, CameraCaptured{}});
     if (const auto* guide = std::get_if<Guide>(&order)) {
         is_leading = guide->kind != GuideKind::stop;

@@ -17,6 +17,9 @@ const std::vector<Language>& all_languages();
 /// Facts of picture `index`, in a language; a picture of the stick has two pages.
 PictureFacts fake_facts(const LoadPicture& order);
 
+/// A part for each of its outlines.
+PictureFacts facts_of_drawing(const TactileMap& map);
+
 struct HeardText {
     double time_s = 0.0;
     std::string language;

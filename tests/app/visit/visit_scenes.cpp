@@ -34,6 +34,9 @@ std::string name_of(const Visit& visit) {
         name += fmt::format(" {}z{}p{}v{}", static_cast<int>(felt.order.source),
                             felt.order.zoom.factor, felt.facts.place.page, felt.facts.place.view);
     }
+    if (visitor.drawing)
+        name += fmt::format("d{}{}", visitor.drawing->lines().size(),
+                            visitor.drawing->can_redo() ? "r" : "");
     name += visitor.loading ? "l" : "";
     name += visitor.is_capturing ? "c" : "";
     name += visitor.leading ? "g" : "";
@@ -105,6 +108,8 @@ class Search {
             events.emplace_back(PictureReady{order.request, fake_facts(order)});
             events.emplace_back(PictureFailed{order.request, {}});
         }
+        if (visitor.drawing && visitor.drawing->lines().empty())
+            events.emplace_back(PenStroke{{{-0.02, 0.0}, {0.02, 0.0}}});
         if (visitor.is_capturing) events.emplace_back(CameraCaptured{});
         if (visitor.leading && visitor.leading->has_begun) events.emplace_back(GuidanceEnded{});
         if (visitor.path.back().screen == VisitScreen::stick && !visitor.stick_list) {
@@ -151,6 +156,12 @@ class Search {
 };
 
 }  // namespace
+
+bool has_item(const FakeHouse& house, VisitItem item) {
+    const SpokenScreen screen = house.screen();
+    return std::any_of(screen.items.begin(), screen.items.end(),
+                       [item](const ScreenItem& one) { return one.id == static_cast<int>(item); });
+}
 
 void to_choose(FakeHouse& house) {
     house.press({KeyRole::select, KeyRole::select});

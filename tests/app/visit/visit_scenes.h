@@ -18,6 +18,9 @@ void to_stick_picture(FakeHouse& house, int count = 3);
 /// Ends the visit by Finish and Yes, from any screen that lies over no other.
 void finish(FakeHouse& house);
 
+/// Whether the open screen has it.
+[[nodiscard]] bool has_item(const FakeHouse& house, VisitItem item);
+
 /// Returns every place a visitor can reach: a visit for every state that keys, pictures, time and
 /// trouble lead to. Computed once.
 const std::vector<Visit>& scenes_of_all_screens();

@@ -1,7 +1,6 @@
 // Tests a shape in the hand, as a visitor chooses and turns it.
 #include "tests/app/visit/visit_scenes.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -18,12 +17,6 @@ void to_bar(FakeHouse& house) {
     ASSERT_TRUE(house.choose("Shape in the hand"));
     ASSERT_TRUE(house.choose("a bar"));
     ASSERT_EQ(house.open(), VisitScreen::picture);
-}
-
-bool has_item(const FakeHouse& house, VisitItem item) {
-    const SpokenScreen screen = house.screen();
-    return std::any_of(screen.items.begin(), screen.items.end(),
-                       [item](const ScreenItem& one) { return one.id == static_cast<int>(item); });
 }
 
 TEST(VisitShape, IsThereOnlyWhereTheHouseOffersIt) {

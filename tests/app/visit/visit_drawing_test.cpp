@@ -1,0 +1,239 @@
+// Tests a drawing that somebody makes for the visitor: what is felt, said and forgotten.
+#include "tests/app/visit/visit_scenes.h"
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+void to_drawing(FakeHouse& house) {
+    to_choose(house);
+    ASSERT_TRUE(house.choose("Draw for me"));
+    ASSERT_EQ(house.open(), VisitScreen::picture);
+    house.wait(0.1);
+}
+
+/// A straight line from left to right.
+PenStroke stroke_at(double y_m) {
+    return {{{-0.03, y_m}, {-0.01, y_m}, {0.01, y_m}, {0.03, y_m}}};
+}
+
+void draw(FakeHouse& house, double y_m) {
+    house.apply(stroke_at(y_m));
+    house.wait(0.1);
+}
+
+std::size_t line_count(const FakeHouse& house) {
+    return house.visit.visitor.drawing ? house.visit.visitor.drawing->lines().size() : 0;
+}
+
+TEST(VisitDrawing, IsThereOnlyWhereTheHouseOffersIt) {
+    EXPECT_FALSE(Settings{}.offers_drawing);
+    FakeHouse house;
+    house.settings.offers_drawing = false;
+    to_choose(house);
+    EXPECT_FALSE(has_item(house, VisitItem::draw_for_me));
+    house.settings.offers_drawing = true;
+    EXPECT_TRUE(has_item(house, VisitItem::draw_for_me));
+}
+
+TEST(VisitDrawing, BeginsEmptyWithForceAndTellsWhatItIs) {
+    FakeHouse house;
+    const std::size_t before = house.transcript.size();
+    to_choose(house);
+    ASSERT_TRUE(house.choose("Draw for me"));
+    const auto felt = house.last<FeelDrawing>();
+    ASSERT_EQ(felt.size(), 1U);
+    EXPECT_NE(felt[0].map.drawing, 0U);
+    EXPECT_TRUE(felt[0].map.outlines.empty());
+    ASSERT_FALSE(house.last<Feel>().empty());
+    EXPECT_TRUE(house.last<Feel>().back().is_force_wanted);
+    EXPECT_TRUE(house.has_said("A drawing", before));
+    EXPECT_TRUE(house.has_said("You feel each line once it is finished.", before));
+    EXPECT_FALSE(has_item(house, VisitItem::zoom));
+    EXPECT_FALSE(has_item(house, VisitItem::detail));
+}
+
+TEST(VisitDrawing, EachFinishedLineIsFeltAndSaidAfterWhatIsBeingSaid) {
+    FakeHouse house;
+    to_drawing(house);
+    std::uint64_t drawing = 0;
+    for (int number = 1; number <= 3; ++number) {
+        house.apply(stroke_at(0.01 * number));
+        const auto felt = house.last<FeelDrawing>();
+        ASSERT_EQ(felt.size(), 1U);
+        EXPECT_EQ(felt[0].map.outlines.size(), static_cast<std::size_t>(number));
+        EXPECT_TRUE(drawing == 0 || felt[0].map.drawing == drawing);
+        drawing = felt[0].map.drawing;
+        EXPECT_EQ(house.last_said(), "Line " + std::to_string(number));
+        EXPECT_EQ(house.transcript.back().priority, SpeechPriority::hint);
+        EXPECT_TRUE(house.last<Hush>().empty());
+        EXPECT_TRUE(house.last<GivePattern>().empty()) << "it would push the hand";
+        house.wait(0.1);
+    }
+    EXPECT_EQ(house.visit.visitor.felt->facts.parts.size(), 3U);
+    house.press(KeyRole::repeat);
+    EXPECT_EQ(house.last_said(), "Line 3");
+}
+
+TEST(VisitDrawing, WhatTheDrawerDoesMovesNoFocusAndOpensNothing) {
+    FakeHouse house;
+    to_drawing(house);
+    draw(house, 0.0);
+    ASSERT_TRUE(house.find("Firmness"));
+    house.press(KeyRole::select);
+    const auto path = house.visit.visitor.path;
+    draw(house, 0.02);  // another screen covers the picture, so there is nothing to draw on
+    EXPECT_EQ(line_count(house), 1U);
+    house.press(KeyRole::back);
+    const std::size_t focus = house.visit.visitor.path.back().focus;
+    draw(house, 0.02);
+    house.apply(DrawerKeyPressed{DrawerKey::undo});
+    house.apply(DrawerKeyPressed{DrawerKey::redo});
+    EXPECT_EQ(line_count(house), 2U);
+    EXPECT_EQ(house.visit.visitor.path.back().focus, focus);
+    EXPECT_EQ(house.open(), VisitScreen::picture);
+    EXPECT_EQ(path.size(), house.visit.visitor.path.size() + 1);
+}
+
+TEST(VisitDrawing, TheEraserTakesTheNearestLineAndDeleteMakesThePenOneOnce) {
+    FakeHouse house;
+    to_drawing(house);
+    for (const double y_m : {-0.02, 0.0, 0.02}) draw(house, y_m);
+    house.apply(PenStroke{{{0.0, 0.001}}, true});
+    EXPECT_EQ(house.last_said(), "Line 2 is gone.");
+    EXPECT_EQ(line_count(house), 2U);
+    house.apply(DrawerKeyPressed{DrawerKey::erase});
+    EXPECT_EQ(house.last_said(), "Touch the line to be erased with the pen.");
+    house.apply(PenStroke{{{0.0, 0.019}}});
+    EXPECT_EQ(house.last_said(), "Line 3 is gone.");
+    draw(house, 0.03);
+    EXPECT_EQ(house.last_said(), "Line 2");
+    house.apply(PenStroke{{{0.0, -0.035}}, true});
+    EXPECT_EQ(house.last_said(), "No line is near enough.");
+    EXPECT_EQ(line_count(house), 2U);
+}
+
+TEST(VisitDrawing, UndoAndRedoByKeysAndByTheVisitor) {
+    FakeHouse house;
+    to_drawing(house);
+    EXPECT_FALSE(has_item(house, VisitItem::undo_line));
+    draw(house, 0.0);
+    draw(house, 0.02);
+    house.apply(DrawerKeyPressed{DrawerKey::undo});
+    EXPECT_EQ(house.last_said(), "Line 2 is gone.");
+    house.apply(DrawerKeyPressed{DrawerKey::redo});
+    EXPECT_EQ(house.last_said(), "Line 2 is back.");
+    house.apply(DrawerKeyPressed{DrawerKey::redo});
+    EXPECT_EQ(house.last_said(), "There is nothing to bring back.");
+    ASSERT_TRUE(house.choose("Undo in the drawing"));
+    EXPECT_TRUE(house.last_said().starts_with("Line 2 is gone.")) << house.last_said();
+    ASSERT_TRUE(house.choose("Do it again in the drawing"));
+    EXPECT_TRUE(house.last_said().starts_with("Line 2 is back.")) << house.last_said();
+    house.apply(HandleSeen{{0.0, 0.0005}, std::nullopt, true});
+    ASSERT_TRUE(house.choose("Erase the line under my hand"));
+    EXPECT_TRUE(house.last_said().starts_with("Line 1 is gone.")) << house.last_said();
+}
+
+TEST(VisitDrawing, WhatCannotBeDrawnIsToldAndChangesNothing) {
+    FakeHouse house;
+    to_drawing(house);
+    house.apply(PenStroke{{{0.0, 0.0}, {0.001, 0.0}}});
+    EXPECT_EQ(house.last_said(), "That line is too short to be felt.");
+    EXPECT_TRUE(house.last<FeelDrawing>().empty());
+    house.apply(PenStroke{});
+    EXPECT_EQ(line_count(house), 0U);
+}
+
+TEST(VisitDrawing, ThePenDoesNothingWithoutADrawing) {
+    FakeHouse house;
+    to_picture(house);
+    const std::size_t before = house.transcript.size();
+    draw(house, 0.0);
+    EXPECT_EQ(house.transcript.size(), before);
+    EXPECT_FALSE(house.visit.visitor.drawing);
+    house.apply(DrawerKeyPressed{DrawerKey::undo});
+    EXPECT_EQ(house.last<GiveCue>()[0].event, ScreenEvent::key_refused) << "a dead key";
+}
+
+TEST(VisitDrawing, BackKeepsItUntilAnotherPictureIsFelt) {
+    FakeHouse house;
+    to_drawing(house);
+    draw(house, 0.0);
+    house.press(KeyRole::back);
+    ASSERT_EQ(house.open(), VisitScreen::choose);
+    ASSERT_TRUE(house.choose("Back to the picture"));
+    EXPECT_EQ(line_count(house), 1U);
+    draw(house, 0.02);
+    EXPECT_EQ(line_count(house), 2U);
+    house.press(KeyRole::back);
+    ASSERT_TRUE(house.choose("Practice shape"));
+    house.wait(house.load_s + 0.1);
+    EXPECT_FALSE(house.visit.visitor.drawing);
+}
+
+TEST(VisitDrawing, ASecondDrawingIsAnotherOne) {
+    FakeHouse house;
+    to_drawing(house);
+    draw(house, 0.0);
+    const std::uint64_t first = house.visit.visitor.drawing->id();
+    house.press(KeyRole::back);
+    ASSERT_TRUE(house.choose("Draw for me"));
+    EXPECT_NE(house.visit.visitor.drawing->id(), first);
+    EXPECT_EQ(line_count(house), 0U);
+}
+
+TEST(VisitDrawing, NothingOfItStaysAfterTheVisit) {
+    FakeHouse house;
+    to_drawing(house);
+    draw(house, 0.0);
+    finish(house);
+    EXPECT_FALSE(house.visit.visitor.drawing);
+    EXPECT_FALSE(house.visit.visitor.felt);
+    EXPECT_EQ(house.visit.visitor.farewell.felt_count, 0);
+}
+
+/// A teacher who draws for longer than the kiosk waits, while the hand rests.
+TEST(VisitDrawing, WhoDrawsIsThereAndAnswersTheQuestion) {
+    FakeHouse house;
+    to_drawing(house);
+    for (int i = 0; i < 4; ++i) {
+        house.wait(0.7 * house.rules.inactivity_s);
+        draw(house, 0.01 * i);
+        ASSERT_EQ(house.open(), VisitScreen::picture);
+    }
+    house.wait(house.rules.inactivity_s + 1.0);
+    ASSERT_EQ(house.open(), VisitScreen::question);
+    draw(house, -0.02);
+    EXPECT_EQ(house.open(), VisitScreen::picture);
+    EXPECT_EQ(line_count(house), 5U);
+}
+
+TEST(VisitDrawing, AnotherLanguageNamesTheLinesAnew) {
+    FakeHouse house;
+    to_drawing(house);
+    draw(house, 0.0);
+    house.press(KeyRole::back);
+    ASSERT_TRUE(house.choose("Settings"));
+    ASSERT_TRUE(house.choose("Language"));
+    ASSERT_TRUE(house.choose("Deutsch"));
+    house.wait(0.1);
+    EXPECT_EQ(house.visit.visitor.felt->facts.title, "Eine Zeichnung");
+    EXPECT_EQ(house.visit.visitor.felt->facts.parts[0].name, "Linie 1");
+    EXPECT_EQ(line_count(house), 1U);
+}
+
+TEST(VisitDrawing, AHeldShapeIsPutDownFirst) {
+    FakeHouse house;
+    to_picture(house);
+    ASSERT_TRUE(house.choose("Shape in the hand"));
+    ASSERT_TRUE(house.choose("a bar"));
+    ASSERT_EQ(house.visit.visitor.feel.shape, HeldShape::bar);
+    while (house.open() != VisitScreen::choose) house.press(KeyRole::back);
+    ASSERT_TRUE(house.choose("Draw for me"));
+    EXPECT_EQ(house.visit.visitor.feel.shape, HeldShape::none);
+    EXPECT_FALSE(has_item(house, VisitItem::held_shape));
+}
+
+}  // namespace
+}  // namespace touchline
