@@ -19,6 +19,7 @@ constexpr double on_line_mm = 1.0;  // what is named lies on a line that is this
 constexpr double spot_mm = 3.0;     // the dot at a place without a line
 constexpr int most_tries = 4;
 constexpr int most_ways = 400;            // leaders that are judged for one label
+constexpr int most_ways_in_all = 8000;    // and for all, at one try
 constexpr std::size_t tried_anchors = 4;  // of one place for a label: the nearest
 constexpr double label_reach_mm = 9.0;
 
@@ -250,7 +251,7 @@ class Placer {
     [[nodiscard]] Chosen best_for(std::size_t label, const Taken& taken) {
         const WantedLabel& wanted = wanted_[label];
         Chosen best;
-        int ways_left = most_ways;
+        int ways_left = std::min(most_ways, most_ways_in_all / static_cast<int>(wanted_.size()));
         for (Candidate& candidate : candidates_[label]) {
             if (candidate.least_cost >= best.cost || ways_left <= 0) break;
             if (!is_free(candidate.box, taken)) continue;

@@ -35,7 +35,8 @@ struct LabelPlan {
 /// place with the shortest leader, where breaks, nearness to lines, the inside of closed lines and
 /// further rows count as a longer one; none lies inside a closed line that is not around what it
 /// names. `lines` are as they are drawn, `shapes` as they would be without gaps. The labels are
-/// placed one after the other; those that found no room, or the worst, go first in the next try.
+/// placed one after the other; those that found no room, or the worst, go first in the next of four
+/// tries. At most 8 000 leaders are judged at a try.
 [[nodiscard]] LabelPlan placed_labels(const std::vector<WantedLabel>& wanted,
                                       const std::vector<SheetStroke>& lines,
                                       const std::vector<SheetStroke>& shapes, PaperSize page,
