@@ -30,7 +30,8 @@ struct LabelPlan {
 };
 
 /// Dots of a label stay least_clear_mm from every line and leader, braille_label_mm from the dots
-/// of another label, and within the zone. A leader is straight and ends on its line, or in a dot at
+/// of another label, braille_beside_mm from one in the same rows, and within the zone. A leader is
+/// straight and ends on its line, or in a dot at
 /// its place; it is broken where it crosses lines, and meets no other leader. Each label takes the
 /// place with the shortest leader, where breaks, nearness to lines, the inside of closed lines and
 /// further rows count as a longer one; none lies inside a closed line that is not around what it
