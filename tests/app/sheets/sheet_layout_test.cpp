@@ -2,6 +2,7 @@
 
 #include "app/sheets/label_places.h"
 #include "app/sheets/leader_way.h"
+#include "app/sheets/paper_faces.h"
 #include "app/sheets/stroke_grid.h"
 #include "tests/app/documents/gallery/pictures.h"
 #include "tests/app/sheets/sheet_maps.h"
@@ -137,11 +138,50 @@ TEST(LabelPlaces, NoneLiesInAShapeThatItDoesNotName) {
     // What lies in the box, or is the box, may be named there.
     EXPECT_EQ(placed_labels({wanted_at({{100.0, 50.0}})}, lines, lines, page, narrow).placed.size(),
               1U);
+    // The same box in two open lines is no other box.
+    const std::vector<SheetStroke> halves{
+        {{{140.0, 14.0}, {100.0, 14.0}, {100.0, 86.0}, {140.0, 86.0}},
+         false,
+         1.25,
+         StrokeUse::outline,
+         0},
+        {{{140.0, 14.0}, {180.0, 14.0}, {180.0, 86.0}, {140.0, 86.0}},
+         false,
+         1.25,
+         StrokeUse::outline,
+         2},
+        lines[1]};
+    EXPECT_EQ(placed_labels({wanted_at({{85.0, 50.0}})}, halves, halves, page, narrow).without_room,
+              std::vector<std::size_t>{0});
     const std::vector<SheetStroke> inside{
         lines[0], {{{110.0, 30.0}, {110.0, 70.0}}, false, 1.25, StrokeUse::outline, 1}};
     EXPECT_EQ(
         placed_labels({wanted_at({{110.0, 50.0}})}, inside, inside, page, narrow).placed.size(),
         1U);
+}
+
+TEST(PaperFaces, AreWhatLinesCloseOffTogether) {
+    const PaperSize page{100.0, 100.0};
+    const SheetStroke left{
+        {{50, 20}, {20, 20}, {20, 80}, {50, 80}}, false, 1.25, StrokeUse::outline, 0};
+    SheetStroke right{{{50, 20}, {80, 20}, {80, 80}, {50, 80}}, false, 1.25, StrokeUse::outline, 1};
+    const SheetStroke eye = box_ring({40.0, 40.0, 60.0, 60.0});
+    PaperFaces faces({left, right, eye}, page);
+    EXPECT_EQ(faces.face_at({5, 5}), PaperFaces::open);
+    EXPECT_EQ(faces.face_at({-5, 500}), PaperFaces::open);
+    EXPECT_EQ(faces.face_at({20, 50}), PaperFaces::line);
+    const std::size_t body = faces.face_at({30, 50});
+    const std::size_t inner = faces.face_at({50, 50});
+    EXPECT_GT(body, PaperFaces::line);
+    EXPECT_GT(inner, PaperFaces::line);
+    EXPECT_NE(body, inner);
+    EXPECT_EQ(body, faces.face_at({70, 30}));
+    EXPECT_TRUE(faces.is_around(body, {40, 50}));
+    EXPECT_TRUE(faces.is_around(body, {50, 50}));
+    EXPECT_FALSE(faces.is_around(body, {20, 50}));
+    EXPECT_FALSE(faces.is_around(inner, {30, 50}));
+    right.points.back() = {53, 80};  // a gap
+    EXPECT_EQ(PaperFaces({left, right, eye}, page).face_at({30, 50}), PaperFaces::open);
 }
 
 /// A finger that reads on along the row must not read both as one.
