@@ -98,7 +98,9 @@ Result<DotPicture> dots_of(const TactileMap& map, const DotLattice& lattice) {
 
 Result<BraillePages> word_pages(const TactileMap& map, const BrailleHand& hand,
                                 const Language& language) {
-    return braille_lines(paragraphs_of(map, {}, language), embosser_cells, hand).map(paged);
+    return check_parts(map).and_then([&] {
+        return braille_lines(paragraphs_of(map, {}, language), embosser_cells, hand).map(paged);
+    });
 }
 
 Result<BraillePages> drawing_pages(const TactileMap& map, const BrailleHand& hand) {

@@ -14,7 +14,6 @@ constexpr double touch_mm = 0.5;        // middles this near meet
 constexpr double shared_way_mm = 3.0;   // along which two lines are one
 constexpr double least_piece_mm = 6.0;  // a shorter rest is no line
 constexpr double least_share = 0.3;     // less of an outline is not worth feeling
-constexpr double grid_reach_mm = 9.0;
 
 /// What happens at a sample of a line, by what was drawn before. Of two reasons against a sample
 /// the later in this list is the one that counts, for less is missing there.
@@ -198,7 +197,7 @@ std::vector<SheetStroke> whole_lines(const TactileMap& map, const PaperPlace& pl
 PaperLines paper_lines(const TactileMap& map, const PaperPlace& place, PaperSize page,
                        const GapRule& rule) {
     const std::vector<SheetStroke> whole = whole_lines(map, place, rule);
-    StrokeGrid drawn(page, std::max(grid_reach_mm, 2.0 * rule.clear_mm));
+    StrokeGrid drawn(page, rule.clear_mm + rule.outer_mm);  // of what is drawn, no more is asked
     PaperLines spaced;
     for (const std::size_t i : by_importance(map, whole)) {
         const auto is_own_part = [&map, i](std::size_t other) {

@@ -154,6 +154,7 @@ struct DrawnPage {
     double scale = 1.0;
     std::vector<std::string> left_out;
     std::vector<std::string> unlabelled;
+    int breaks = 0;  // of leaders
     double cost = std::numeric_limits<double>::infinity();
 };
 
@@ -195,7 +196,7 @@ Result<DrawnPage> drawn_at(const SheetMatter& matter, PaperSize size, double sca
     LabelPlan plan = placed_labels(wanted_labels(matter, place, shapes, grid), lines.strokes,
                                    shapes, size, frame.zone);
 
-    DrawnPage drawn{std::move(frame.page), scale, {}, {}, 0.0};
+    DrawnPage drawn{std::move(frame.page), scale, {}, {}, plan.breaks, 0.0};
     drawn.left_out = names_of(matter.map, lines, language.text("sheet", "lines without a name"));
     std::ranges::move(lines.strokes, std::back_inserter(drawn.page.strokes));
     for (PlacedLabel& label : plan.placed) {
@@ -231,7 +232,9 @@ Result<DrawnPage> best_page(const SheetMatter& matter, PaperSize size, const Lan
         if (best.cost <= -std::log(scale)) break;  // no smaller one is better
         auto drawn = drawn_at(matter, size, scale, language);
         if (!drawn) return drawn;
+        const bool is_whole = drawn->unlabelled.empty() && drawn->breaks == 0;
         if (drawn->cost < best.cost) best = std::move(*drawn);
+        if (is_whole) break;  // smaller ones only lose lines
     }
     return best;
 }
@@ -260,6 +263,7 @@ Result<TactileSheet> tactile_sheet(const TactileMap& map, const SheetOrder& orde
                                    const Language& language) {
     const auto ink = ink_of(map);
     if (!ink) return failure("there is no line to print");
+    if (const auto few = check_parts(map); !few) return tl::unexpected(few.error());
     const auto matter = matter_of(map, *ink, order.hand, language);
     if (!matter) return tl::unexpected(matter.error());
     const PaperSize upright = size_of(order.paper);

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include <fmt/format.h>
+
 namespace touchline {
 namespace {
 
@@ -47,6 +49,23 @@ std::vector<NamedPart> named_parts(const TactileMap& map) {
             parts.push_back({label.text, {}, label.place});
     if (parts.size() == 1 && !parts.front().outlines.empty() && !map.title.empty()) parts.clear();
     return parts;
+}
+
+Result<void> check_parts(const TactileMap& map) {
+    const std::size_t count = named_parts(map).size();
+    if (count <= most_sheet_parts) return {};
+    return failure(
+        fmt::format("it has {} parts with a name, and a sheet holds {}; choose a lower detail, or "
+                    "another picture",
+                    count, most_sheet_parts));
+}
+
+Result<std::size_t> signs_without_braille(const TactileMap& map, const BrailleHand& hand) {
+    std::string texts = map.title + ' ' + map.description;
+    for (const NamedPart& part : named_parts(map)) texts += ' ' + part.name;
+    return braille_of(texts, hand.language, hand.grade).map([](const BrailleText& braille) {
+        return braille.question_marks;
+    });
 }
 
 std::string scale_words(double scale, const Language& language) {

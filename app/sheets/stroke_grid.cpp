@@ -131,6 +131,13 @@ void StrokeGrid::each_around(PaperPoint place, const Visit& visit) const {
             for (const Segment& segment : squares_[v * columns_ + u]) visit(segment);
 }
 
+bool StrokeGrid::may_be_within(const Segment& segment, PaperPoint place, double clear_mm) {
+    const double x = segment.from.x_mm - place.x_mm;
+    const double y = segment.from.y_mm - place.y_mm;
+    const double far = clear_mm + segment.half_mm + segment.length_mm;
+    return far >= 0.0 && x * x + y * y <= far * far;
+}
+
 NearStroke StrokeGrid::nearness(const Segment& segment, PaperPoint place) {
     const double share = nearest_share(segment.from, segment.to, place);
     const double centre = distance_mm(between(segment.from, segment.to, share), place);
@@ -143,11 +150,7 @@ NearStroke StrokeGrid::near(PaperPoint place, std::size_t without) const {
     NearStroke found{reach_mm_, reach_mm_, false, 0, 0};
     each_around(place, [&](const Segment& segment) {
         if (segment.source == without) return;
-        // Most segments are too far to matter, and this says so without a root or a division.
-        const double x = segment.from.x_mm - place.x_mm;
-        const double y = segment.from.y_mm - place.y_mm;
-        const double far = found.clear_mm + segment.half_mm + segment.length_mm;
-        if (far < 0.0 || x * x + y * y > far * far) return;
+        if (!may_be_within(segment, place, found.clear_mm)) return;
         const NearStroke other = nearness(segment, place);
         if (other.clear_mm < found.clear_mm) found = other;
     });
@@ -157,6 +160,7 @@ NearStroke StrokeGrid::near(PaperPoint place, std::size_t without) const {
 std::vector<NearStroke> StrokeGrid::all_near(PaperPoint place, double within_mm) const {
     std::vector<NearStroke> found;
     each_around(place, [&](const Segment& segment) {
+        if (!may_be_within(segment, place, within_mm)) return;
         const NearStroke other = nearness(segment, place);
         if (!(other.clear_mm < std::min(within_mm, reach_mm_))) return;
         const auto known = std::ranges::find(found, other.stroke, &NearStroke::stroke);

@@ -52,6 +52,10 @@ class StrokeGrid {
     template <class Visit>
     void each_around(PaperPoint place, const Visit& visit) const;
 
+    /// Most segments around a place are too far to matter, and this says so without a root or a
+    /// division.
+    [[nodiscard]] static bool may_be_within(const Segment& segment, PaperPoint place,
+                                            double clear_mm);
     [[nodiscard]] static NearStroke nearness(const Segment& segment, PaperPoint place);
     [[nodiscard]] std::size_t column(double x_mm) const;
     [[nodiscard]] std::size_t row(double y_mm) const;
