@@ -227,6 +227,7 @@ class Kiosk : private Pinned {
     // The operator: kiosk_operator.cpp.
     void tell_operator(const OperatorEvent& event);
     void tell_of_recording(const std::string& notice);
+    void keep_drawing();
     void count_visit();
     void follow_hours();
     void follow_operator();

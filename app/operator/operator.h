@@ -251,6 +251,8 @@ struct ExportLog {};
 
 struct SaveRecording {};  // writes the last minute to a file
 
+struct KeepDrawing {};  // keeps what somebody draws for the visitor now
+
 struct BackUp {};
 
 struct Restore {};
@@ -263,7 +265,7 @@ using OperatorOrder =
     std::variant<Say, Click, Show, CheckPin, KeepPin, SetSettings, WriteSettings, WriteSound,
                  WriteKeys, FindHome, ChooseKind, ClearFault, RunTest, StopTest, ShowLive,
                  LockHandle, ImportFromStick, ZeroCounters, ExportCounters, ExportLog,
-                 SaveRecording, BackUp, Restore, CloseKiosk, Leave>;
+                 SaveRecording, KeepDrawing, BackUp, Restore, CloseKiosk, Leave>;
 
 struct OperatorStep {
     Operator state;

@@ -139,7 +139,9 @@ void write_picture(VisitSheet& sheet) {
     }
     sheet.told({facts.description, facts.description_recording});
     sheet.told(words_of(facts.names, sheet.language));
-    sheet.told(sheet.language.counted("count", "{0} outline", "{0} outlines", facts.outline_count));
+    if (has_outline(sheet) || is_loaded(sheet))
+        sheet.told(
+            sheet.language.counted("count", "{0} outline", "{0} outlines", facts.outline_count));
     sheet.told(told_page_place(sheet));
     sheet.told(facts.note);
     if (holds_shape(sheet))

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -194,6 +195,52 @@ TEST(DrawingVisit, ThePenDrawsOnlyOnADrawingThatIsOnTheScreen) {
     EXPECT_FALSE(world.kiosk().pen().is_down());
     world.kiosk().change_pen({PenMotion::lift, floor_right});
     EXPECT_EQ(lines_felt(world), 0U);
+}
+
+/// The operator keeps it; a technician brings it back on a stick, and it is felt as it was drawn.
+TEST(DrawingVisit, WhatTheOperatorKeepsIsAPictureThatTheKioskOpensAgain) {
+    WallWorld world;
+    BlindVisitor visitor(world);
+    to_drawing(world, visitor);
+    const auto copies = [&world] { return world.site_files().copies; };
+    BlindVisitor staff(world, 0.2);
+    open_menu(staff);
+    ASSERT_TRUE(staff.choose("Upkeep")) << staff.heard();
+    ASSERT_TRUE(staff.choose("Keep the drawing")) << staff.heard();
+    EXPECT_TRUE(world.heard().was_said("There is no drawing to keep.")) << "no line is drawn yet";
+    EXPECT_FALSE(std::filesystem::exists(copies() / "touchline-drawing-1.svg"));
+    staff.press(KeyRole::back);
+    staff.press(KeyRole::back);
+    ASSERT_FALSE(world.kiosk().is_operator_in());
+    while (open_screen(world.kiosk().visit()) != VisitScreen::picture) visitor.press(KeyRole::back);
+    draw(world, floor_left, floor_right);
+    draw(world, eaves_left, ridge_top);
+    const TactileMap drawn = *world.servo().picture().map;
+    enter(staff);
+    enter_pin(staff);
+    staff.press(KeyRole::back);
+    ASSERT_TRUE(staff.choose("Upkeep")) << staff.heard();
+    for (const int number : {1, 2}) {
+        ASSERT_TRUE(staff.choose("Keep the drawing")) << staff.heard();
+        EXPECT_TRUE(world.heard().was_said("The drawing is in copies."));
+        EXPECT_TRUE(std::filesystem::exists(
+            copies() / ("touchline-drawing-" + std::to_string(number) + ".svg")));
+    }
+    staff.press(KeyRole::back);
+    staff.press(KeyRole::back);
+
+    world.put_stick({copies() / "touchline-drawing-1.svg"});
+    while (open_screen(world.kiosk().visit()) != VisitScreen::choose) visitor.press(KeyRole::back);
+    ASSERT_TRUE(visitor.choose("Your USB stick")) << visitor.heard();
+    ASSERT_TRUE(visitor.choose("touchline drawing 1")) << visitor.heard();
+    ASSERT_TRUE(visitor.wait_for("2 outlines")) << visitor.heard();
+    const TactileMap& opened = *world.servo().picture().map;
+    EXPECT_EQ(opened.drawing, 0U) << "it grows no more";
+    ASSERT_EQ(opened.outlines.size(), drawn.outlines.size());
+    for (std::size_t i = 0; i < drawn.outlines.size(); ++i) {
+        EXPECT_EQ(opened.outlines[i].points, drawn.outlines[i].points);
+        EXPECT_EQ(opened.outlines[i].label, drawn.outlines[i].label);
+    }
 }
 
 TEST(DrawingVisit, NothingOfItStaysForTheNextVisitor) {

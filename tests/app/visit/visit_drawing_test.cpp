@@ -96,6 +96,26 @@ TEST(VisitDrawing, WhatTheDrawerDoesMovesNoFocusAndOpensNothing) {
     EXPECT_EQ(path.size(), house.visit.visitor.path.size() + 1);
 }
 
+/// With the first line come items that stand before the one that was heard.
+TEST(VisitDrawing, ItemsThatComeAndGoMoveNoFocus) {
+    FakeHouse house;
+    to_drawing(house);
+    const auto focused = [&house] {
+        const SpokenScreen screen = house.screen();
+        return screen.items[*screen.focus].name;
+    };
+    ASSERT_EQ(focused(), "Explore freely");
+    draw(house, 0.0);
+    EXPECT_EQ(focused(), "Explore freely");
+    ASSERT_TRUE(has_item(house, VisitItem::parts));
+    house.press(KeyRole::select);  // the screen that explores lies over it
+    house.apply(DrawerKeyPressed{DrawerKey::undo});
+    house.wait(0.1);
+    house.press(KeyRole::back);
+    EXPECT_FALSE(has_item(house, VisitItem::parts));
+    EXPECT_EQ(focused(), "Explore freely");
+}
+
 TEST(VisitDrawing, TheEraserTakesTheNearestLineAndDeleteMakesThePenOneOnce) {
     FakeHouse house;
     to_drawing(house);

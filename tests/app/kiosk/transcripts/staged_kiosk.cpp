@@ -57,6 +57,7 @@ std::unique_ptr<OperatorSession> desk_of(const fs::path& folder, const Staging& 
     Settings settings;
     settings.first_language = staging.language;
     settings.two_switches = staging.two_switches;
+    settings.offers_drawing = staging.offers_drawing;
     // Without settings there is no file.
     const std::string text = settings_text(settings, Settings{});
     if (!text.empty()) std::ofstream(files.settings.site) << text;
@@ -326,6 +327,23 @@ void StagedKiosk::follow_a_line(double for_s) {
     move_to(points.front());
     const double end_s = now_s_ + for_s;
     for (std::size_t i = 1; now_s_ < end_s; ++i) move_to(points[i % points.size()]);
+}
+
+void StagedKiosk::draw_line(Position from, Position to) {
+    constexpr int steps = 60;
+    tell("somebody draws a line");
+    kiosk_->change_pen({PenMotion::press, from});
+    for (int i = 1; i <= steps; ++i) {
+        run(1.0 / steps);
+        const Position at = from + (static_cast<double>(i) / steps) * (to - from);
+        kiosk_->change_pen({PenMotion::move, at});
+    }
+    kiosk_->change_pen({PenMotion::lift, to});
+}
+
+void StagedKiosk::erase_at(Position place) {
+    tell("somebody erases a line");
+    kiosk_->change_pen({PenMotion::press, place, true});
 }
 
 void StagedKiosk::listen() {

@@ -23,6 +23,7 @@ namespace touchline {
 struct Staging {
     std::string language = "en";  // in which visits begin
     SwitchUse two_switches = SwitchUse::none;
+    bool offers_drawing = false;
 };
 
 class StagedKiosk : private Pinned {
@@ -49,6 +50,14 @@ class StagedKiosk : private Pinned {
 
     /// Follows the first line of what is felt for so long, at a slow pace.
     void follow_a_line(double for_s);
+
+    // What somebody beside the person does.
+
+    /// Draws a straight line (W) in a second.
+    void draw_line(Position from, Position to);
+
+    /// Touches the place with the pen's other button.
+    void erase_at(Position place);
 
     // What the person hears meanwhile.
 

@@ -165,6 +165,34 @@ void document(StagedKiosk& kiosk) {
     finish(kiosk);
 }
 
+/// A house of three lines, one of which was drawn wrong.
+void drawing(StagedKiosk& kiosk) {
+    begin(kiosk);
+    kiosk.choose(VisitItem::draw_for_me);
+    kiosk.draw_line({-0.03, -0.02}, {0.03, -0.02});
+    kiosk.follow_a_line(4.0);
+    kiosk.listen();
+    kiosk.draw_line({-0.03, 0.0}, {0.0, 0.03});
+    kiosk.listen();
+    kiosk.draw_line({0.0, 0.03}, {0.04, 0.03});
+    kiosk.listen();
+    kiosk.erase_at({0.02, 0.03});
+    kiosk.listen();
+    kiosk.draw_line({0.0, 0.03}, {0.03, 0.0});
+    kiosk.draw_line({0.01, 0.0}, {0.0105, 0.0});
+    kiosk.listen();
+    kiosk.choose(VisitItem::parts);
+    kiosk.choose(row(1));
+    kiosk.do_nothing(5.0);
+    go_back(kiosk);
+    kiosk.choose(VisitItem::undo_line);
+    kiosk.choose(VisitItem::redo_line);
+    go_back(kiosk);
+    kiosk.choose(VisitItem::back_to_picture);
+    go_back(kiosk);
+    finish(kiosk);
+}
+
 void settings(StagedKiosk& kiosk) {
     begin(kiosk);
     for (const KeyRole role : {KeyRole::louder, KeyRole::softer}) {
@@ -325,6 +353,7 @@ constexpr std::array plans{
     VisitPlan{"full-stick", full_stick},
     VisitPlan{"photograph", photograph},
     VisitPlan{"document", document},
+    VisitPlan{"drawing", drawing, SwitchUse::none, true},
     VisitPlan{"settings", settings},
     VisitPlan{"trouble", trouble},
     VisitPlan{"time-out", time_out},
@@ -340,7 +369,7 @@ std::span<const VisitPlan> visit_plans() {
 }
 
 Transcript act_out(const VisitPlan& plan, const std::string& language) {
-    StagedKiosk kiosk({language, plan.two_switches});
+    StagedKiosk kiosk({language, plan.two_switches, plan.offers_drawing});
     try {
         plan.act(kiosk);
     } catch (const std::runtime_error& error) {
