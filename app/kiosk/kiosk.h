@@ -14,6 +14,7 @@
 #include "app/kiosk/operator_session.h"
 #include "app/kiosk/photo_capture.h"
 #include "app/kiosk/pictures.h"
+#include "app/kiosk/sheet_printer.h"
 #include "app/kiosk/stick_source.h"
 #include "app/kiosk/watched.h"
 #include "app/sound/visitor_sound.h"
@@ -35,7 +36,7 @@
 
 namespace touchline {
 
-/// `sticks` and `photos` may be null: the site has none.
+/// `sticks`, `photos` and `printer` may be null: the site has none.
 struct KioskParts {
     std::vector<Language> languages;  // not empty, English first
     Gallery gallery;                  // in these languages
@@ -44,6 +45,7 @@ struct KioskParts {
     std::unique_ptr<Loader> loader;
     std::unique_ptr<FileSource> sticks;
     std::unique_ptr<PhotoCapture> photos;
+    std::unique_ptr<SheetPrinter> printer;  // sheets are offered once the settings name a queue
     Settings settings;
     KeyTable keys = default_keys();
     /// Null: nobody can enter. Its settings and keys are the ones above.
@@ -184,6 +186,8 @@ class Kiosk : private Pinned {
     void follow_loader();
     void keep_lines_of_felt();
     void follow_camera();
+    void follow_printer();
+    [[nodiscard]] TactileMap map_to_print() const;
     void tick();
     void follow_handle();
     void follow_troubles();
@@ -232,6 +236,7 @@ class Kiosk : private Pinned {
     OrderedPicture picture_;
     std::unique_ptr<FileSource> sticks_;
     std::unique_ptr<PhotoCapture> photos_;
+    std::unique_ptr<SheetPrinter> printer_;
     std::unique_ptr<OperatorSession> operator_;
     std::string operator_caption_;
     std::string key_caption_;  // said of a key; empty once the visit has spoken again

@@ -50,7 +50,8 @@ Result<Descriptor, PrintEnd> sheet_of(const TactileMap& map, const PrintOrder& o
     if (!input) return tl::unexpected(PrintEnd::not_started);
     const std::string kind = std::to_string(static_cast<int>(order.kind));
     auto sheet = run_worker(
-        {programs.sheet, {kind, order.language, order.words_folder}, WorkerKind::document}, *input);
+        {programs.sheet, {kind, order.language, programs.words_folder}, WorkerKind::document},
+        *input);
     if (sheet) return std::move(*sheet);
     return tl::unexpected(sheet.error() == WorkerEnd::not_started ? PrintEnd::not_started
                                                                   : PrintEnd::no_sheet);

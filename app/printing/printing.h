@@ -17,13 +17,13 @@ namespace touchline {
 struct PrintOrder {
     std::string queue;  // of CUPS
     SheetKind kind = SheetKind::a4;
-    std::string language;      // its code: of the words and of the braille
-    std::string words_folder;  // of catalogues
+    std::string language;  // its code: of the words and of the braille
 };
 
 struct PrintPrograms {
-    std::string sheet;  // the path of touchline-sheet
-    std::string print;  // of touchline-print
+    std::string sheet;         // the path of touchline-sheet
+    std::string print;         // of touchline-print
+    std::string words_folder;  // of catalogues
 };
 
 /// The sheet as CUPS takes it, sealed; made by a worker that is shut in.

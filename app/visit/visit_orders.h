@@ -112,6 +112,9 @@ struct CameraPreview {
 
 struct Capture {};
 
+/// What is felt goes to the site's printer. Answered by SheetEnded; no second one before that.
+struct PrintSheet {};
+
 struct GiveStickBack {};  // let go of the stick: no more reading
 
 /// The visit is over: picture, texts, file list and transcript are overwritten.
@@ -147,8 +150,8 @@ struct CallStaff {
 struct Quit {};
 
 using VisitOrder = std::variant<Utterance, Hush, HoldSpeech, GiveCue, GivePattern, LoadPicture,
-                                CancelLoad, Feel, Guide, CameraPreview, Capture, GiveStickBack,
-                                Wipe, SoundWanted, LookWanted, CallStaff, Quit>;
+                                CancelLoad, Feel, Guide, CameraPreview, Capture, PrintSheet,
+                                GiveStickBack, Wipe, SoundWanted, LookWanted, CallStaff, Quit>;
 
 using VisitOrders = std::vector<VisitOrder>;
 

@@ -182,11 +182,12 @@ class PrintedMap : public Printing {
         const TactileMap map = map_of_lines({line_through({{-30, -20}, {30, 20}}, 1, "the tail"),
                                              ring_through({{0, 25}, {20, 30}})},
                                             "My holiday");
-        return print_map(map, {queue, kind, language, TOUCHLINE_CATALOGUES}, programs_, {});
+        return print_map(map, {queue, kind, language}, programs_, {});
     }
 
     OwnCups cups_;
-    PrintPrograms programs_{companion("touchline-sheet"), companion("touchline-print")};
+    PrintPrograms programs_{companion("touchline-sheet"), companion("touchline-print"),
+                            TOUCHLINE_CATALOGUES};
 };
 
 TEST_F(PrintedMap, TI4_ASheetOfEachKindIsPrintedAndNothingOfItStays) {
@@ -212,9 +213,8 @@ TEST_F(PrintedMap, TI4_TheJobSaysNothingOfThePicture) {
 TEST_F(PrintedMap, WhatCannotBePrintedIsToldByTheProgramsToo) {
     EXPECT_EQ(print_as(SheetKind::a4, "en", "nowhere"), PrintEnd::unknown);
     EXPECT_EQ(check_printer("good", programs_, {}), PrintEnd::printed);
-    EXPECT_EQ(print_map({}, {"good", SheetKind::a4, "en", TOUCHLINE_CATALOGUES}, programs_, {}),
-              PrintEnd::no_sheet);
-    EXPECT_EQ(check_printer("good", {"/nowhere/sheet", "/nowhere/print"}, {}),
+    EXPECT_EQ(print_map({}, {"good", SheetKind::a4, "en"}, programs_, {}), PrintEnd::no_sheet);
+    EXPECT_EQ(check_printer("good", {"/nowhere/sheet", "/nowhere/print", ""}, {}),
               PrintEnd::not_started);
 }
 
@@ -227,8 +227,7 @@ TEST_F(PrintedMap, OnceStoppedItWaitsNoLonger) {
     });
     const auto start = std::chrono::steady_clock::now();
     const TactileMap map = map_of_lines({line_through({{-30, -20}, {30, 20}})});
-    EXPECT_EQ(print_map(map, {"slow", SheetKind::a4, "en", TOUCHLINE_CATALOGUES}, programs_,
-                        stop.get_token()),
+    EXPECT_EQ(print_map(map, {"slow", SheetKind::a4, "en"}, programs_, stop.get_token()),
               PrintEnd::out_of_time);
     EXPECT_LT(seconds_since(start), 15.0);
     EXPECT_EQ(check_printer("slow", programs_, {}), PrintEnd::printed);  // ends that job

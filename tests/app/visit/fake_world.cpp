@@ -74,6 +74,8 @@ void FakeHouse::carry_out(const VisitOrder& order) {
     }
     if (std::holds_alternative<GiveCue>(order)) sounded_s = now_s;
     if (const auto* load = std::get_if<LoadPicture>(&order)) carry_out_load(*load);
+    if (std::holds_alternative<PrintSheet>(order))
+        due_.push_back({now_s + print_s, SheetEnded{print_end}});
     if (std::holds_alternative<Capture>(order)) due_.push_back({now_s + 0.5, CameraCaptured{}});
     if (const auto* guide = std::get_if<Guide>(&order)) {
         is_leading = guide->kind != GuideKind::stop;
