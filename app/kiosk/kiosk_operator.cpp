@@ -179,6 +179,7 @@ KioskHealth Kiosk::health() const {
                                                                     : CameraHealth::unplugged;
     health.notices_sticks = !sticks_ || sticks_->is_watching();
     health.has_stick = sticks_ && !sticks_->root().empty();
+    if (printer_) health.printer = printer_->condition();
     health.started_ago_s = now_s_ - started_s_.value_or(now_s_);
     return health;
 }
