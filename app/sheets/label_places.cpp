@@ -19,6 +19,7 @@ constexpr double on_line_mm = 1.0;  // what is named lies on a line that is this
 constexpr double spot_mm = 3.0;     // the dot at a place without a line
 constexpr int most_tries = 4;
 constexpr int most_ways = 400;            // leaders that are judged for one label
+constexpr int most_ways_in_all = 8000;    // and for all, at one try
 constexpr std::size_t tried_anchors = 4;  // of one place for a label: the nearest
 constexpr double label_reach_mm = 9.0;
 
@@ -191,11 +192,23 @@ class Placer {
         });
     }
 
-    static bool is_free(const PaperBox& box, const Taken& taken) {
-        const bool meets_box = std::ranges::any_of(taken.boxes, [&box](const PaperBox& other) {
+    /// Whether a line lies between two boxes that are beside each other.
+    [[nodiscard]] bool is_line_between(const PaperBox& a, const PaperBox& b) const {
+        const double left_mm = std::min(a.right_mm, b.right_mm);
+        const double right_mm = std::max(a.left_mm, b.left_mm);
+        const double y_mm =
+            (std::max(a.top_mm, b.top_mm) + std::min(a.bottom_mm, b.bottom_mm)) / 2.0;
+        for (double x_mm = left_mm; x_mm < right_mm; x_mm += leader_half_mm)
+            if (grid_.near({x_mm, y_mm}).clear_mm <= 0.0) return true;
+        return false;
+    }
+
+    [[nodiscard]] bool is_free(const PaperBox& box, const Taken& taken) const {
+        const bool meets_box = std::ranges::any_of(taken.boxes, [&](const PaperBox& other) {
             const double x = std::max(other.left_mm - box.right_mm, box.left_mm - other.right_mm);
             const double y = std::max(other.top_mm - box.bottom_mm, box.top_mm - other.bottom_mm);
-            return std::max(x, y) < braille_label_mm;
+            if (std::max(x, y) < braille_label_mm) return true;
+            return y < 0.0 && x < braille_beside_mm && !is_line_between(box, other);
         });
         return !meets_box && std::ranges::none_of(taken.leaders, [&](const SheetStroke& piece) {
             return segment_distance_mm(piece.points.front(), piece.points.back(), box) <
@@ -250,7 +263,7 @@ class Placer {
     [[nodiscard]] Chosen best_for(std::size_t label, const Taken& taken) {
         const WantedLabel& wanted = wanted_[label];
         Chosen best;
-        int ways_left = most_ways;
+        int ways_left = std::min(most_ways, most_ways_in_all / static_cast<int>(wanted_.size()));
         for (Candidate& candidate : candidates_[label]) {
             if (candidate.least_cost >= best.cost || ways_left <= 0) break;
             if (!is_free(candidate.box, taken)) continue;

@@ -144,6 +144,24 @@ TEST(LabelPlaces, NoneLiesInAShapeThatItDoesNotName) {
         1U);
 }
 
+/// A finger that reads on along the row must not read both as one.
+TEST(LabelPlaces, LabelsInOneRowAreFurtherApartThanWords) {
+    const PaperSize page{200.0, 60.0};
+    const PaperBox zone{10.0, 20.0, 190.0, 32.0};  // a single row
+    const auto gap_with = [&](const std::vector<SheetStroke>& lines) {
+        const auto plan = placed_labels({{0, {{75.0, 26.0}}, true, {{BrailleCells(8, 63)}}},
+                                         {1, {{130.0, 26.0}}, true, {{BrailleCells(8, 63)}}}},
+                                        lines, lines, page, zone);
+        EXPECT_EQ(plan.placed.size(), 2U);
+        return gap_mm(box_of({{}, plan.placed[0].rows}), box_of({{}, plan.placed[1].rows}));
+    };
+    EXPECT_GE(gap_with({}), braille_beside_mm);
+    const double with_line_mm =
+        gap_with({{{{102.5, 5.0}, {102.5, 55.0}}, false, 1.25, StrokeUse::outline, 0}});
+    EXPECT_LT(with_line_mm, braille_beside_mm);
+    EXPECT_GE(with_line_mm, braille_label_mm);
+}
+
 TEST(LabelPlaces, ALeaderPointsAtItsLabelFromEverySide) {
     const PaperSize page{200.0, 100.0};
     for (const PaperBox& zone : {PaperBox{10, 10, 60, 30}, PaperBox{140, 10, 190, 30},
