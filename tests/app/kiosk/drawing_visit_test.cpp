@@ -99,7 +99,8 @@ TEST(DrawingVisit, NoLineOfAHousePushesTheHandThatRestsThere) {
         }
         EXPECT_LE(norm(world.servo().handle_W() - before), most_shift_m) << "line " << number + 1;
         EXPECT_EQ(lines_felt(world), static_cast<std::size_t>(++number));
-        EXPECT_NE(visitor.heard().find("Line " + std::to_string(number)), std::string::npos)
+        EXPECT_NE(visitor.heard().find("Line " + std::to_string(number) + " is finished."),
+                  std::string::npos)
             << visitor.heard();
         EXPECT_EQ(world.kiosk().force().state, ForceState::live);
     }
