@@ -36,11 +36,12 @@ std::string line_name(const Language& language, int number) {
     return language.text("visit", "Line {0}", {std::to_string(number)});
 }
 
-/// "Line 3" when it is drawn, and what became of it later.
+/// Not the line's name alone: that is said of a line under the hand.
 std::string told_line(const LineChange& change, bool is_drawn, const Language& language) {
-    if (is_drawn) return line_name(language, change.number);
-    return language.text("visit", change.is_there ? "Line {0} is back." : "Line {0} is gone.",
-                         {std::to_string(change.number)});
+    const char* const words = !change.is_there ? "Line {0} is gone."
+                              : is_drawn       ? "Line {0} is finished."
+                                               : "Line {0} is back.";
+    return language.text("visit", words, {std::to_string(change.number)});
 }
 
 /// The picture's screen, open or covered, without what covers it; nothing: it is not on the path.

@@ -177,7 +177,7 @@ void drawing(StagedKiosk& kiosk) {
     kiosk.draw_line({0.0, 0.03}, {0.04, 0.03});
     kiosk.listen();
     kiosk.erase_at({0.02, 0.03});
-    kiosk.listen();
+    kiosk.do_nothing(10.0);
     kiosk.draw_line({0.0, 0.03}, {0.03, 0.0});
     kiosk.draw_line({0.01, 0.0}, {0.0105, 0.0});
     kiosk.listen();
