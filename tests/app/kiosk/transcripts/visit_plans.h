@@ -14,6 +14,7 @@ struct VisitPlan {
     std::string_view name;
     void (*act)(StagedKiosk& kiosk);
     SwitchUse two_switches = SwitchUse::none;
+    bool has_printer = false;
 };
 
 /// Returns the plans: visitors of every kind, and the staff.
