@@ -77,6 +77,13 @@ struct Kiosk::VisitOrderHandler {
         if (kiosk.photos_) kiosk.photos_->take();
     }
 
+    void operator()(const PrintSheet&) const {
+        if (kiosk.printer_ && kiosk.picture_.map() != nullptr)
+            kiosk.printer_->print(
+                kiosk.map_to_print(),
+                {kiosk.settings_.printer, kiosk.settings_.sheet, kiosk.language().code()});
+    }
+
     void operator()(const GiveStickBack&) const {
         if (kiosk.sticks_) kiosk.sticks_->end_session();
     }
@@ -103,6 +110,7 @@ Kiosk::Kiosk(KioskParts parts)
       picture_(std::move(parts.loader)),
       sticks_(std::move(parts.sticks)),
       photos_(std::move(parts.photos)),
+      printer_(std::move(parts.printer)),
       operator_(std::move(parts.operator_session)),
       keys_{std::move(parts.keys),
             KeyFilter(settings_.double_strike_s),
@@ -158,6 +166,7 @@ void Kiosk::follow_rules() {
     rules_.offers_staff = settings_.offers_staff;
     rules_.notice = settings_.notice;
     if (braille_) braille_->choose(settings_.braille);
+    rules_.has_printer = printer_ && !settings_.printer.empty();
     if (sticks_)
         sticks_->allow(settings_.more_file_systems ? FileSystems::more : FileSystems::usual);
     if (photos_)
@@ -197,6 +206,7 @@ void Kiosk::tick() {
     scan_by_itself();
     count_visit();
     follow_hours();
+    follow_printer();
     follow_operator();
 }
 
@@ -298,6 +308,24 @@ void Kiosk::follow_camera() {
     }
     if (news.has_given_up)
         apply(CameraFailed{language().text("camera", "The camera gave no photo. Try again.")});
+}
+
+void Kiosk::follow_printer() {
+    if (!printer_) return;
+    const auto end = printer_->step(settings_.printer, now_s_, is_operator_in());
+    if (!end) return;
+    if (*end != PrintEnd::printed) report("print: " + std::string(line_of(*end)));
+    apply(SheetEnded{*end});
+}
+
+/// What is felt, called as it is called here.
+TactileMap Kiosk::map_to_print() const {
+    TactileMap map = *picture_.map();
+    if (const auto& felt = visit_.visitor.felt) {
+        if (map.title.empty()) map.title = felt->facts.title;
+        if (map.description.empty()) map.description = felt->facts.description;
+    }
+    return map;
 }
 
 std::shared_ptr<const Canvas> Kiosk::preview() const {

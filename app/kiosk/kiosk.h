@@ -16,6 +16,7 @@
 #include "app/kiosk/pen.h"
 #include "app/kiosk/photo_capture.h"
 #include "app/kiosk/pictures.h"
+#include "app/kiosk/sheet_printer.h"
 #include "app/kiosk/stick_source.h"
 #include "app/kiosk/watched.h"
 #include "app/sound/visitor_sound.h"
@@ -37,7 +38,7 @@
 
 namespace touchline {
 
-/// `sticks`, `photos` and `braille` may be null: the site has none.
+/// `sticks`, `photos`, `braille` and `printer` may be null: the site has none.
 struct KioskParts {
     std::vector<Language> languages;  // not empty, English first
     Gallery gallery;                  // in these languages
@@ -47,6 +48,7 @@ struct KioskParts {
     std::unique_ptr<Loader> loader;
     std::unique_ptr<FileSource> sticks;
     std::unique_ptr<PhotoCapture> photos;
+    std::unique_ptr<SitePrinter> printer;  // sheets are offered once the settings name a queue
     Settings settings;
     KeyTable keys = default_keys();
     /// Null: nobody can enter. Its settings and keys are the ones above.
@@ -196,6 +198,8 @@ class Kiosk : private Pinned {
     void feel_drawing(const FeelDrawing& order);
     void keep_lines_of_felt();
     void follow_camera();
+    void follow_printer();
+    [[nodiscard]] TactileMap map_to_print() const;
     void tick();
     void follow_handle();
     void follow_troubles();
@@ -227,6 +231,7 @@ class Kiosk : private Pinned {
     // The operator: kiosk_operator.cpp.
     void tell_operator(const OperatorEvent& event);
     void tell_of_recording(const std::string& notice);
+    void keep_drawing();
     void count_visit();
     void follow_hours();
     void follow_operator();
@@ -252,6 +257,7 @@ class Kiosk : private Pinned {
     Pen pen_;
     std::unique_ptr<FileSource> sticks_;
     std::unique_ptr<PhotoCapture> photos_;
+    std::unique_ptr<SitePrinter> printer_;
     std::unique_ptr<OperatorSession> operator_;
     std::string operator_caption_;
     std::string key_caption_;  // said of a key; empty once the visit has spoken again

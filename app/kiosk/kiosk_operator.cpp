@@ -50,6 +50,8 @@ struct Kiosk::OperatorOrderHandler {
 
     void operator()(const SaveRecording&) const { kiosk.handle_.keep_recording(); }
 
+    void operator()(const KeepDrawing&) const { kiosk.keep_drawing(); }
+
     void operator()(const CloseKiosk&) const { kiosk.window_wishes_.is_quitting = true; }
 
     /// After the operator's last words, says the visitors' screen.
@@ -91,6 +93,15 @@ void Kiosk::tell_of_recording(const std::string& notice) {
     tell_operator(OrderAnswered{language().text(
         "operator", *is_kept ? "The recording is saved. The log says where."
                              : "The recording could not be saved. The log says why.")});
+}
+
+/// What is felt now is what is kept.
+void Kiosk::keep_drawing() {
+    const TactileMap* const map = picture_.map();
+    const bool is_drawn = visit_.visitor.drawing && map != nullptr && !map->outlines.empty();
+    tell_operator(OrderAnswered{is_drawn
+                                    ? operator_->keep_drawing(*map, language())
+                                    : language().text("operator", "There is no drawing to keep.")});
 }
 
 void Kiosk::count_visit() {
@@ -168,6 +179,7 @@ KioskHealth Kiosk::health() const {
                                                                     : CameraHealth::unplugged;
     health.notices_sticks = !sticks_ || sticks_->is_watching();
     health.has_stick = sticks_ && !sticks_->root().empty();
+    if (printer_) health.printer = printer_->condition();
     health.started_ago_s = now_s_ - started_s_.value_or(now_s_);
     return health;
 }

@@ -1,5 +1,6 @@
 #include "app/kiosk/operator_session.h"
 
+#include "app/documents/decode/map_svg.h"
 #include "app/documents/models/networks.h"
 #include "app/documents/packs/pack.h"
 #include "app/documents/packs/pack_library.h"
@@ -319,11 +320,21 @@ std::string OperatorSession::restore(const Language& language) {
                         no_settings, language));
 }
 
-std::string OperatorSession::copy(const std::string& text, const char* file, const char* said,
-                                  const Language& language) {
+std::string OperatorSession::copy(const std::string& text, const std::string& file,
+                                  const char* said, const Language& language) {
     const std::string folder = files_.copies.filename().string();
     return told(outcome(keep_text(files_.copies / file, text),
                         language.text("operator", said, {folder}), no_copy, language));
+}
+
+std::string OperatorSession::keep_drawing(const TactileMap& drawing, const Language& language) {
+    std::error_code error;
+    const auto name = [](int number) {
+        return "touchline-drawing-" + std::to_string(number) + ".svg";
+    };
+    int number = 1;
+    while (fs::exists(files_.copies / name(number), error)) ++number;
+    return copy(format_map_svg(drawing), name(number), "The drawing is in {0}.", language);
 }
 
 void OperatorSession::import_from_stick(std::size_t file, const Language& language) {

@@ -11,6 +11,7 @@
 #include "app/visit/visit_orders.h"
 #include "audio-cues/words/language.h"
 #include "config/types/result.h"
+#include "config/types/tactile_map.h"
 
 #include <chrono>
 #include <cstdint>
@@ -97,6 +98,10 @@ class OperatorSession {
     /// `began`: how many faults began since the last call. Call it once a second at least.
     void count_faults(std::uint64_t began, std::chrono::sys_days today, double now_s);
 
+    /// Writes the drawing beside the other copies, as a map SVG under the next free number. Returns
+    /// one sentence for the operator.
+    [[nodiscard]] std::string keep_drawing(const TactileMap& drawing, const Language& language);
+
     /// Adds a line to the log that can be exported; it keeps the last 1000 lines.
     void log(const std::string& line);
 
@@ -115,8 +120,8 @@ class OperatorSession {
     void hold(const Settings& site);
     [[nodiscard]] std::string back_up(const Language& language);
     [[nodiscard]] std::string restore(const Language& language);
-    [[nodiscard]] std::string copy(const std::string& text, const char* file, const char* said,
-                                   const Language& language);
+    [[nodiscard]] std::string copy(const std::string& text, const std::string& file,
+                                   const char* said, const Language& language);
     [[nodiscard]] std::string told(Outcome outcome);
     void import_from_stick(std::size_t file, const Language& language);
     void keep_counts();

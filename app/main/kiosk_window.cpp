@@ -241,6 +241,8 @@ class KioskWindow {
         parts.sticks = std::make_unique<StickSource>(open_stick_port(settings_.watched_folder),
                                                      companion("touchline-import"));
         parts.photos = open_photos();
+        parts.printer = std::make_unique<SheetPrinter>(printing_by(
+            {companion("touchline-sheet"), companion("touchline-print"), words_folder().string()}));
         servo_ = servo->client.get();
         has_motors_ = servo->has_motors;
         parts.servo = std::move(servo->client);

@@ -48,6 +48,7 @@ enum class OperatorPlace : std::uint8_t {
     key_wizard,
     screen,
     sticks,
+    printing,
     device,
     homing,
     kind,
@@ -67,7 +68,7 @@ enum class OperatorPlace : std::uint8_t {
     question,
 };
 
-inline constexpr std::size_t operator_place_count = 42;
+inline constexpr std::size_t operator_place_count = 43;
 
 /// The screens that need the PIN.
 [[nodiscard]] constexpr bool is_inside(OperatorPlace place) {
@@ -251,6 +252,8 @@ struct ExportLog {};
 
 struct SaveRecording {};  // writes the last minute to a file
 
+struct KeepDrawing {};  // keeps what somebody draws for the visitor now
+
 struct BackUp {};
 
 struct Restore {};
@@ -263,7 +266,7 @@ using OperatorOrder =
     std::variant<Say, Click, Show, CheckPin, KeepPin, SetSettings, WriteSettings, WriteSound,
                  WriteKeys, FindHome, ChooseKind, ClearFault, RunTest, StopTest, ShowLive,
                  LockHandle, ImportFromStick, ZeroCounters, ExportCounters, ExportLog,
-                 SaveRecording, BackUp, Restore, CloseKiosk, Leave>;
+                 SaveRecording, KeepDrawing, BackUp, Restore, CloseKiosk, Leave>;
 
 struct OperatorStep {
     Operator state;

@@ -72,6 +72,8 @@ constexpr auto actions = std::to_array<ActionRow>({
      "They are checked first; wrong ones change nothing.", ask<Q::restore>},
     {P::backup, A::first_settings, "Factory settings",
      "All settings become what they were when the kiosk was new.", ask<Q::first_settings>},
+    {P::upkeep, A::keep_drawing, "Keep the drawing",
+     "What somebody draws for a visitor now is kept as a picture.", give<KeepDrawing>},
     {P::upkeep, A::new_pin, "Change the PIN", "", choose_new_pin},
     {P::close, A::close, "Shut down", "", ask<Q::close>},
     {P::home, A::leave, "Leave", "The kiosk is open to visitors again.", leave},

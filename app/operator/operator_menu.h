@@ -38,6 +38,7 @@ enum class OperatorAction : std::uint8_t {
     zero_counters,
     export_log,
     save_recording,
+    keep_drawing,
     back_up,
     restore,
     first_settings,

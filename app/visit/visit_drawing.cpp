@@ -3,8 +3,10 @@
 #include "app/visit/visit_menu.h"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace touchline {
 namespace {
@@ -34,11 +36,22 @@ std::string line_name(const Language& language, int number) {
     return language.text("visit", "Line {0}", {std::to_string(number)});
 }
 
-/// "Line 3" when it is drawn, and what became of it later.
+/// Not the line's name alone: that is said of a line under the hand.
 std::string told_line(const LineChange& change, bool is_drawn, const Language& language) {
-    if (is_drawn) return line_name(language, change.number);
-    return language.text("visit", change.is_there ? "Line {0} is back." : "Line {0} is gone.",
-                         {std::to_string(change.number)});
+    const char* const words = !change.is_there ? "Line {0} is gone."
+                              : is_drawn       ? "Line {0} is finished."
+                                               : "Line {0} is back.";
+    return language.text("visit", words, {std::to_string(change.number)});
+}
+
+/// The picture's screen, open or covered, without what covers it; nothing: it is not on the path.
+std::optional<Visit> at_picture(const VisitWork& work) {
+    Visit visit = visit_of(work);
+    std::vector<Standing>& path = visit.visitor.path;
+    while (!path.empty() && path.back().screen != VisitScreen::picture) path.pop_back();
+    visit.visitor.over.reset();
+    if (path.empty()) return std::nullopt;
+    return visit;
 }
 
 /// Has the next drawing felt. Returns what is said of it.
@@ -144,8 +157,23 @@ void feel_drawing(VisitWork& work) {
                                                  })});
 }
 
+PictureFocus::PictureFocus(VisitWork& work) : work_(work) {
+    const auto picture = at_picture(work);
+    if (!picture) return;
+    const SpokenScreen screen = screen_of(*picture, work.world);
+    if (screen.focus) item_ = screen.items[*screen.focus].id;
+}
+
+PictureFocus::~PictureFocus() {
+    const auto picture = item_ ? at_picture(work_) : std::nullopt;
+    if (!picture) return;
+    const auto place = place_of(screen_of(*picture, work_.world).items, *item_);
+    if (place) work_.visitor.path[picture->visitor.path.size() - 1].focus = *place;
+}
+
 void take(VisitWork& work, const PenStroke& stroke) {
     if (!takes_pen(visit_of(work)) || stroke.points_W.empty()) return;
+    const PictureFocus focus(work);
     const Drawing& drawing = *work.visitor.drawing;
     const bool is_eraser = std::exchange(work.visitor.is_erasing, false) || stroke.is_eraser;
     if (!is_eraser) return change_by_pen(work, drawing.with_stroke(stroke.points_W), true);
@@ -154,6 +182,7 @@ void take(VisitWork& work, const PenStroke& stroke) {
 
 void take(VisitWork& work, const DrawerKeyPressed& pressed) {
     if (!takes_pen(visit_of(work))) return take(work, DeadKeyPressed{});
+    const PictureFocus focus(work);
     const Drawing& drawing = *work.visitor.drawing;
     switch (pressed.key) {
         case DrawerKey::undo:

@@ -268,9 +268,14 @@ void take(VisitWork& work, const PictureReady& ready) {
         return tell_change(work, done);
     }
     if (!visitor.felt || visitor.felt->order.request != ready.request) return;
+    if (visitor.drawing) {
+        const PictureFocus focus(work);
+        visitor.felt->facts = ready.facts;
+        return;
+    }
     const std::size_t known = visitor.felt->facts.parts.size();
     visitor.felt->facts = ready.facts;
-    if (visitor.drawing || ready.facts.parts.size() <= known) return;
+    if (ready.facts.parts.size() <= known) return;
     cue(work, ScreenEvent::news);
     say(work,
         language_of(work).counted("visit", "{0} name was found in the picture.",

@@ -3,9 +3,11 @@
 #pragma once
 
 #include "app/visit/visit.h"
+#include "config/types/pinned.h"
 
 #include <cstddef>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -141,6 +143,18 @@ bool keep_whole(VisitWork& work);
 [[nodiscard]] SpokenText told_picture(const VisitWork& work);
 
 // A drawing (visit_drawing.cpp).
+
+/// While it lives, items of the picture's screen come and go; then the item that had the focus has
+/// it again, if it is still there: what somebody else does moves no focus.
+class PictureFocus : private Pinned {
+  public:
+    explicit PictureFocus(VisitWork& work);
+    ~PictureFocus();
+
+  private:
+    VisitWork& work_;
+    std::optional<int> item_;
+};
 
 /// Begins a new one.
 void draw_for_me(VisitWork& work);

@@ -69,6 +69,9 @@ struct Settings {
     // stick
     bool more_file_systems = false;  // ext4 and NTFS besides FAT and exFAT
     std::string watched_folder;
+    // print
+    std::string printer;  // a queue of CUPS; empty: no sheets to take home
+    SheetKind sheet = SheetKind::a4;
     // operator
     std::string operator_device;
 

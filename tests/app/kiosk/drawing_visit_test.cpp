@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -52,7 +53,7 @@ void draw(KioskWorld& world, Position from, Position to) {
     world.kiosk().change_pen({PenMotion::lift, to});
 }
 
-/// The largest change of force from tick to tick, and where the hand was.
+/// The largest change of force from tick to tick, and how long there was none.
 struct Felt {
     explicit Felt(KioskWorld& of) : world(of), last(of.kiosk().hand()) {
         world.servo().on_tick = [this](const HandState& hand) { see(hand); };
@@ -65,12 +66,14 @@ struct Felt {
 
     void see(const HandState& hand) {
         most_N = std::max(most_N, norm(hand.force - last.force));
+        silent_ticks += hand.force == Force{} ? 1 : 0;
         last = hand;
     }
 
     KioskWorld& world;
     HandState last;
     double most_N = 0.0;
+    int silent_ticks = 0;
 };
 
 std::size_t lines_felt(KioskWorld& world) {
@@ -98,7 +101,8 @@ TEST(DrawingVisit, NoLineOfAHousePushesTheHandThatRestsThere) {
         }
         EXPECT_LE(norm(world.servo().handle_W() - before), most_shift_m) << "line " << number + 1;
         EXPECT_EQ(lines_felt(world), static_cast<std::size_t>(++number));
-        EXPECT_NE(visitor.heard().find("Line " + std::to_string(number)), std::string::npos)
+        EXPECT_NE(visitor.heard().find("Line " + std::to_string(number) + " is finished."),
+                  std::string::npos)
             << visitor.heard();
         EXPECT_EQ(world.kiosk().force().state, ForceState::live);
     }
@@ -107,7 +111,7 @@ TEST(DrawingVisit, NoLineOfAHousePushesTheHandThatRestsThere) {
 }
 
 /// The hand goes along the floor while the rest is drawn. Each tick changes the force by no more
-/// than it does for a hand that goes there when nobody draws.
+/// than it does for a hand that goes there when nobody draws, and the floor never fades.
 TEST(DrawingVisit, AHandThatMovesFeelsNoJumpAndThenTheNewLine) {
     WallWorld world;
     BlindVisitor visitor(world);
@@ -116,6 +120,7 @@ TEST(DrawingVisit, AHandThatMovesFeelsNoJumpAndThenTheNewLine) {
     draw(world, floor_left, floor_right);
     world.run(0.5);
     const auto go_along_the_floor = [&](bool is_drawing) {
+        lead_hand(world, floor_right - Position{0.005, 0.001});
         const Felt felt(world);
         for (int turn = 0; turn < 2; ++turn) {
             lead_hand(world, floor_left + Position{0.005, 0.001});
@@ -125,10 +130,12 @@ TEST(DrawingVisit, AHandThatMovesFeelsNoJumpAndThenTheNewLine) {
             if (is_drawing) world.kiosk().change_pen({PenMotion::lift, ridge_top});
             lead_hand(world, floor_right - Position{0.005, 0.001});
         }
-        return felt.most_N;
+        return std::pair{felt.most_N, felt.silent_ticks};
     };
-    const double alone_N = go_along_the_floor(false);
-    EXPECT_LE(go_along_the_floor(true), alone_N + most_change_N);
+    const auto alone = go_along_the_floor(false);
+    const auto beside_a_pen = go_along_the_floor(true);
+    EXPECT_LE(beside_a_pen.first, alone.first + most_change_N);
+    EXPECT_EQ(beside_a_pen.second, 0) << "ticks without force";
     EXPECT_EQ(world.kiosk().force().state, ForceState::live);
     // And the roof is there now: its groove pulls a hand beside it.
     const Position beside = 0.5 * (eaves_left + ridge_top) + Position{0.0, 0.0025};
@@ -194,6 +201,52 @@ TEST(DrawingVisit, ThePenDrawsOnlyOnADrawingThatIsOnTheScreen) {
     EXPECT_FALSE(world.kiosk().pen().is_down());
     world.kiosk().change_pen({PenMotion::lift, floor_right});
     EXPECT_EQ(lines_felt(world), 0U);
+}
+
+/// The operator keeps it; a technician brings it back on a stick, and it is felt as it was drawn.
+TEST(DrawingVisit, WhatTheOperatorKeepsIsAPictureThatTheKioskOpensAgain) {
+    WallWorld world;
+    BlindVisitor visitor(world);
+    to_drawing(world, visitor);
+    const auto copies = [&world] { return world.site_files().copies; };
+    BlindVisitor staff(world, 0.2);
+    open_menu(staff);
+    ASSERT_TRUE(staff.choose("Upkeep")) << staff.heard();
+    ASSERT_TRUE(staff.choose("Keep the drawing")) << staff.heard();
+    EXPECT_TRUE(world.heard().was_said("There is no drawing to keep.")) << "no line is drawn yet";
+    EXPECT_FALSE(std::filesystem::exists(copies() / "touchline-drawing-1.svg"));
+    staff.press(KeyRole::back);
+    staff.press(KeyRole::back);
+    ASSERT_FALSE(world.kiosk().is_operator_in());
+    while (open_screen(world.kiosk().visit()) != VisitScreen::picture) visitor.press(KeyRole::back);
+    draw(world, floor_left, floor_right);
+    draw(world, eaves_left, ridge_top);
+    const TactileMap drawn = *world.servo().picture().map;
+    enter(staff);
+    enter_pin(staff);
+    staff.press(KeyRole::back);
+    ASSERT_TRUE(staff.choose("Upkeep")) << staff.heard();
+    for (const int number : {1, 2}) {
+        ASSERT_TRUE(staff.choose("Keep the drawing")) << staff.heard();
+        EXPECT_TRUE(world.heard().was_said("The drawing is in copies."));
+        EXPECT_TRUE(std::filesystem::exists(
+            copies() / ("touchline-drawing-" + std::to_string(number) + ".svg")));
+    }
+    staff.press(KeyRole::back);
+    staff.press(KeyRole::back);
+
+    world.put_stick({copies() / "touchline-drawing-1.svg"});
+    while (open_screen(world.kiosk().visit()) != VisitScreen::choose) visitor.press(KeyRole::back);
+    ASSERT_TRUE(visitor.choose("Your USB stick")) << visitor.heard();
+    ASSERT_TRUE(visitor.choose("touchline drawing 1")) << visitor.heard();
+    ASSERT_TRUE(visitor.wait_for("2 outlines")) << visitor.heard();
+    const TactileMap& opened = *world.servo().picture().map;
+    EXPECT_EQ(opened.drawing, 0U) << "it grows no more";
+    ASSERT_EQ(opened.outlines.size(), drawn.outlines.size());
+    for (std::size_t i = 0; i < drawn.outlines.size(); ++i) {
+        EXPECT_EQ(opened.outlines[i].points, drawn.outlines[i].points);
+        EXPECT_EQ(opened.outlines[i].label, drawn.outlines[i].label);
+    }
 }
 
 TEST(DrawingVisit, NothingOfItStaysForTheNextVisitor) {

@@ -56,6 +56,12 @@ KioskWorld::KioskWorld(bool is_in_window, Gallery gallery, ThingFinder finder,
                                                  companion("touchline-import"));
     parts.photos = std::make_unique<PhotoCapture>(
         std::make_unique<FolderCamera>(folder_ / "camera", read_bgr));
+    parts.printer = std::make_unique<SheetPrinter>(
+        Printing{[this](const TactileMap& map, const PrintOrder& order,
+                        const std::stop_token& stop) { return printing.print(map, order, stop); },
+                 [this](const std::string& queue, const std::stop_token& stop) {
+                     return printing.check(queue, stop);
+                 }});
     std::vector<std::string> problems;
     parts.operator_session =
         std::make_unique<OperatorSession>(site_files(), parts.languages, problems);

@@ -59,6 +59,12 @@ class KioskWorld : private Pinned {
     /// The operator's files, in a folder of this world.
     [[nodiscard]] OperatorFiles site_files() const;
 
+    /// The site's printer, once the settings name one. Called on another thread.
+    Printing printing{[](const TactileMap&, const PrintOrder&, const std::stop_token&) {
+                          return PrintEnd::printed;
+                      },
+                      [](const std::string&, const std::stop_token&) { return PrintEnd::printed; }};
+
     int minute_of_day = 12 * 60;
     std::chrono::sys_days today{std::chrono::year(2026) / 3 / 1};
 

@@ -95,6 +95,37 @@ TEST_F(Kiosk, EveryKeyLeavesItRunning) {
     EXPECT_EQ(complaints(), "");
 }
 
+/// Somebody draws with the mouse: the line is thin and blue until it is finished, and U undoes it.
+TEST_F(Kiosk, ALineDrawnWithThePointerIsThere) {
+    const std::string draw = R"sh(
+        printf '[feel]\noffers_drawing = true\n' >>kiosk.toml
+        share() {
+            import -window root shot.png
+            convert shot.png -fuzz 30% -crop 400x380+0+60 +repage -fill black +opaque $1 \
+                -fill white -opaque $1 -format '%[fx:int(mean*w*h)]' info:
+        }
+        await() {
+            for _ in $(seq 300); do [ $(share $1) $2 $3 ] && return; sleep 0.1; done
+            exit 9
+        }
+        kiosk
+        await '#FFD400' -gt 100
+        keys Return Return Down Down Down Down Return
+        await '#2EF2C7' -gt 10
+        [ $(share '#FFD400') = 0 ] || exit 8
+        xdotool mousemove 120 300 mousedown 1
+        for x in 160 200 240 280 320; do xdotool mousemove $x 300; sleep 0.1; done
+        await '#5CC7FF' -gt 100
+        xdotool mouseup 1
+        await '#FFD400' -gt 200
+        keys u
+        await '#FFD400' -eq 0
+        quit
+    )sh";
+    EXPECT_EQ(run_script(draw), 0);
+    EXPECT_EQ(complaints(), "");
+}
+
 /// R alone holds the recording; after the operator's screens and a PIN, chosen twice, R saves it.
 TEST_F(Kiosk, KeepsARecordingForTheOperatorThatRunsAgainTheSame) {
     EXPECT_EQ(

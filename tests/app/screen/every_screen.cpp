@@ -42,12 +42,27 @@ OperatorWorld busy_world(const Language& language) {
 
 std::optional<SpokenScreen> visit_screen(VisitScreen wanted, const Language& language) {
     const auto& scenes = scenes_of_all_screens();
-    const auto scene = std::ranges::find(scenes, wanted, open_screen);
+    const auto scene = std::ranges::find_if(scenes, [wanted](const Visit& visit) {
+        return open_screen(visit) == wanted && !visit.visitor.drawing;
+    });
     if (scene == scenes.end()) return std::nullopt;
-    const FakeHouse house;
+    FakeHouse house;
+    house.settings.offers_drawing = false;  // as a house is at first
     Visit visit = *scene;
     visit.visitor.sound.language = place_of(language, house.languages);
     return screen_of(visit, house.world());
+}
+
+SpokenScreen drawing_screen(const Language& language) {
+    FakeHouse house;
+    house.rules.sound.language = place_of(language, house.languages);
+    house.press({KeyRole::select, KeyRole::select});
+    const auto place = place_of(house.screen().items, static_cast<int>(VisitItem::draw_for_me));
+    for (std::size_t i = 0; i < place.value(); ++i) house.press(KeyRole::down);
+    house.press(KeyRole::select);
+    for (const double y_m : {-0.02, 0.02}) house.apply(PenStroke{{{-0.03, y_m}, {0.03, y_m}}});
+    house.wait(0.1);
+    return house.screen();
 }
 
 SpokenScreen staff_screen(OperatorPlace place, const Language& language) {
@@ -66,6 +81,7 @@ std::vector<NamedScreen> every_screen(const Language& language) {
     for (std::size_t i = 0; i < visit_screen_count; ++i)
         if (auto screen = visit_screen(static_cast<VisitScreen>(i), language))
             add("visit", i, std::move(*screen));
+    add("visit", visit_screen_count, drawing_screen(language));
     for (std::size_t i = 1; i < operator_place_count; ++i)  // 0 is closed
         add("staff", i, staff_screen(static_cast<OperatorPlace>(i), language));
     return screens;

@@ -16,10 +16,14 @@ namespace touchline {
 [[nodiscard]] std::optional<SpokenScreen> visit_screen(VisitScreen wanted,
                                                        const Language& language);
 
+/// A drawing of two lines.
+[[nodiscard]] SpokenScreen drawing_screen(const Language& language);
+
 /// As in a house where much happens, and something is broken.
 [[nodiscard]] SpokenScreen staff_screen(OperatorPlace place, const Language& language);
 
-/// One screen for each kind of screen of the visit and for each place of the operator.
+/// One screen for each kind of screen of the visit, one of a drawing, and one for each place of the
+/// operator.
 [[nodiscard]] std::vector<NamedScreen> every_screen(const Language& language);
 
 }  // namespace touchline

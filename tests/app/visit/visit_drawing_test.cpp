@@ -65,7 +65,7 @@ TEST(VisitDrawing, EachFinishedLineIsFeltAndSaidAfterWhatIsBeingSaid) {
         EXPECT_EQ(felt[0].map.outlines.size(), static_cast<std::size_t>(number));
         EXPECT_TRUE(drawing == 0 || felt[0].map.drawing == drawing);
         drawing = felt[0].map.drawing;
-        EXPECT_EQ(house.last_said(), "Line " + std::to_string(number));
+        EXPECT_EQ(house.last_said(), "Line " + std::to_string(number) + " is finished.");
         EXPECT_EQ(house.transcript.back().priority, SpeechPriority::hint);
         EXPECT_TRUE(house.last<Hush>().empty());
         EXPECT_TRUE(house.last<GivePattern>().empty()) << "it would push the hand";
@@ -73,7 +73,7 @@ TEST(VisitDrawing, EachFinishedLineIsFeltAndSaidAfterWhatIsBeingSaid) {
     }
     EXPECT_EQ(house.visit.visitor.felt->facts.parts.size(), 3U);
     house.press(KeyRole::repeat);
-    EXPECT_EQ(house.last_said(), "Line 3");
+    EXPECT_EQ(house.last_said(), "Line 3 is finished.");
 }
 
 TEST(VisitDrawing, WhatTheDrawerDoesMovesNoFocusAndOpensNothing) {
@@ -96,6 +96,26 @@ TEST(VisitDrawing, WhatTheDrawerDoesMovesNoFocusAndOpensNothing) {
     EXPECT_EQ(path.size(), house.visit.visitor.path.size() + 1);
 }
 
+/// With the first line come items that stand before the one that was heard.
+TEST(VisitDrawing, ItemsThatComeAndGoMoveNoFocus) {
+    FakeHouse house;
+    to_drawing(house);
+    const auto focused = [&house] {
+        const SpokenScreen screen = house.screen();
+        return screen.items[*screen.focus].name;
+    };
+    ASSERT_EQ(focused(), "Explore freely");
+    draw(house, 0.0);
+    EXPECT_EQ(focused(), "Explore freely");
+    ASSERT_TRUE(has_item(house, VisitItem::parts));
+    house.press(KeyRole::select);  // the screen that explores lies over it
+    house.apply(DrawerKeyPressed{DrawerKey::undo});
+    house.wait(0.1);
+    house.press(KeyRole::back);
+    EXPECT_FALSE(has_item(house, VisitItem::parts));
+    EXPECT_EQ(focused(), "Explore freely");
+}
+
 TEST(VisitDrawing, TheEraserTakesTheNearestLineAndDeleteMakesThePenOneOnce) {
     FakeHouse house;
     to_drawing(house);
@@ -108,7 +128,7 @@ TEST(VisitDrawing, TheEraserTakesTheNearestLineAndDeleteMakesThePenOneOnce) {
     house.apply(PenStroke{{{0.0, 0.019}}});
     EXPECT_EQ(house.last_said(), "Line 3 is gone.");
     draw(house, 0.03);
-    EXPECT_EQ(house.last_said(), "Line 2");
+    EXPECT_EQ(house.last_said(), "Line 2 is finished.");
     house.apply(PenStroke{{{0.0, -0.035}}, true});
     EXPECT_EQ(house.last_said(), "No line is near enough.");
     EXPECT_EQ(line_count(house), 2U);

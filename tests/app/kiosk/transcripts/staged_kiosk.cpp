@@ -57,6 +57,8 @@ std::unique_ptr<OperatorSession> desk_of(const fs::path& folder, const Staging& 
     Settings settings;
     settings.first_language = staging.language;
     settings.two_switches = staging.two_switches;
+    settings.offers_drawing = staging.offers_drawing;
+    if (staging.has_printer) settings.printer = "sheets";
     // Without settings there is no file.
     const std::string text = settings_text(settings, Settings{});
     if (!text.empty()) std::ofstream(files.settings.site) << text;
@@ -195,6 +197,29 @@ std::vector<FilePtr> two_hundred_and_five_files() {
 
 }  // namespace
 
+/// Takes its time for each sheet.
+class StagedPrinter final : public SitePrinter {
+  public:
+    void print(TactileMap /*map*/, PrintOrder /*order*/) override { is_begun_ = true; }
+
+    [[nodiscard]] std::optional<PrintEnd> step(const std::string& /*queue*/, double now_s,
+                                               bool /*is_watched*/) override {
+        constexpr double print_s = 15.0;
+        if (std::exchange(is_begun_, false)) due_s_ = now_s + print_s;
+        if (!due_s_ || now_s < *due_s_) return std::nullopt;
+        due_s_.reset();
+        return has_paper ? PrintEnd::printed : PrintEnd::no_paper;
+    }
+
+    [[nodiscard]] std::optional<PrintEnd> condition() const override { return PrintEnd::printed; }
+
+    bool has_paper = true;
+
+  private:
+    bool is_begun_ = false;
+    std::optional<double> due_s_;
+};
+
 StagedKiosk::StagedKiosk(const Staging& staging)
     : switches_(staging.two_switches), folder_(new_folder()) {
     auto servo = std::make_unique<SteppedServo>();
@@ -213,6 +238,11 @@ StagedKiosk::StagedKiosk(const Staging& staging)
             return JobFate{load_s, {}};
         }));
     parts.sticks = std::move(sticks);
+    if (staging.has_printer) {
+        auto printer = std::make_unique<StagedPrinter>();
+        printer_ = printer.get();
+        parts.printer = std::move(printer);
+    }
     parts.photos = std::make_unique<PhotoCapture>(std::make_unique<StagedCamera>());
     parts.operator_session = desk_of(folder_, staging, parts.languages);
     parts.settings = parts.operator_session->settings();
@@ -288,6 +318,11 @@ void StagedKiosk::pull_stick() {
     listen();
 }
 
+void StagedKiosk::empty_printer() {
+    tell("the printer has run out of paper");
+    printer_->has_paper = false;
+}
+
 void StagedKiosk::break_device() {
     tell("the board of the handle loses its power");
     servo_->break_device(true);
@@ -326,6 +361,23 @@ void StagedKiosk::follow_a_line(double for_s) {
     move_to(points.front());
     const double end_s = now_s_ + for_s;
     for (std::size_t i = 1; now_s_ < end_s; ++i) move_to(points[i % points.size()]);
+}
+
+void StagedKiosk::draw_line(Position from, Position to) {
+    constexpr int steps = 60;
+    tell("somebody draws a line");
+    kiosk_->change_pen({PenMotion::press, from});
+    for (int i = 1; i <= steps; ++i) {
+        run(1.0 / steps);
+        const Position at = from + (static_cast<double>(i) / steps) * (to - from);
+        kiosk_->change_pen({PenMotion::move, at});
+    }
+    kiosk_->change_pen({PenMotion::lift, to});
+}
+
+void StagedKiosk::erase_at(Position place) {
+    tell("somebody erases a line");
+    kiosk_->change_pen({PenMotion::press, place, true});
 }
 
 void StagedKiosk::listen() {

@@ -165,6 +165,34 @@ void document(StagedKiosk& kiosk) {
     finish(kiosk);
 }
 
+/// A house of three lines, one of which was drawn wrong.
+void drawing(StagedKiosk& kiosk) {
+    begin(kiosk);
+    kiosk.choose(VisitItem::draw_for_me);
+    kiosk.draw_line({-0.03, -0.02}, {0.03, -0.02});
+    kiosk.follow_a_line(4.0);
+    kiosk.listen();
+    kiosk.draw_line({-0.03, 0.0}, {0.0, 0.03});
+    kiosk.listen();
+    kiosk.draw_line({0.0, 0.03}, {0.04, 0.03});
+    kiosk.listen();
+    kiosk.erase_at({0.02, 0.03});
+    kiosk.do_nothing(10.0);
+    kiosk.draw_line({0.0, 0.03}, {0.03, 0.0});
+    kiosk.draw_line({0.01, 0.0}, {0.0105, 0.0});
+    kiosk.listen();
+    kiosk.choose(VisitItem::parts);
+    kiosk.choose(row(1));
+    kiosk.do_nothing(5.0);
+    go_back(kiosk);
+    kiosk.choose(VisitItem::undo_line);
+    kiosk.choose(VisitItem::redo_line);
+    go_back(kiosk);
+    kiosk.choose(VisitItem::back_to_picture);
+    go_back(kiosk);
+    finish(kiosk);
+}
+
 void settings(StagedKiosk& kiosk) {
     begin(kiosk);
     for (const KeyRole role : {KeyRole::louder, KeyRole::softer}) {
@@ -282,6 +310,27 @@ void operators_visit(StagedKiosk& kiosk) {
     choose(kiosk, OperatorAction::leave);
 }
 
+/// One sheet is printed while the visitor goes on; the next finds no paper.
+void print(StagedKiosk& kiosk) {
+    begin(kiosk);
+    open_picture_of_gallery(kiosk, 0);
+    kiosk.choose(VisitItem::print_sheet);
+    kiosk.choose(VisitItem::tell_again);
+    kiosk.do_nothing(15.0);
+    kiosk.listen();
+    kiosk.press(KeyRole::repeat);
+    kiosk.listen();
+    kiosk.empty_printer();
+    kiosk.choose(VisitItem::print_sheet);
+    kiosk.press(KeyRole::select);
+    kiosk.listen();
+    kiosk.wait_for(VisitScreen::trouble);
+    kiosk.press(KeyRole::select);
+    kiosk.listen();
+    go_back(kiosk);
+    finish(kiosk);
+}
+
 /// Every other key is an item.
 void two_switches(StagedKiosk& kiosk) {
     begin(kiosk);
@@ -325,6 +374,8 @@ constexpr std::array plans{
     VisitPlan{"full-stick", full_stick},
     VisitPlan{"photograph", photograph},
     VisitPlan{"document", document},
+    VisitPlan{"drawing", drawing, SwitchUse::none, true},
+    VisitPlan{"print", print, SwitchUse::none, false, true},
     VisitPlan{"settings", settings},
     VisitPlan{"trouble", trouble},
     VisitPlan{"time-out", time_out},
@@ -340,7 +391,7 @@ std::span<const VisitPlan> visit_plans() {
 }
 
 Transcript act_out(const VisitPlan& plan, const std::string& language) {
-    StagedKiosk kiosk({language, plan.two_switches});
+    StagedKiosk kiosk({language, plan.two_switches, plan.offers_drawing, plan.has_printer});
     try {
         plan.act(kiosk);
     } catch (const std::runtime_error& error) {

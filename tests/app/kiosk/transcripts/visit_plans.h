@@ -14,6 +14,8 @@ struct VisitPlan {
     std::string_view name;
     void (*act)(StagedKiosk& kiosk);
     SwitchUse two_switches = SwitchUse::none;
+    bool offers_drawing = false;
+    bool has_printer = false;
 };
 
 /// Returns the plans: visitors of every kind, and the staff.
