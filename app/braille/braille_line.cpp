@@ -35,7 +35,8 @@ struct BrailleLine::Desk {
     BrailleUse use = BrailleUse::off;
     double look_s = 0.0;   // when to look for a brltty again
     BrailleCells on_line;  // as written last
-    std::string problem;   // as reported last
+    std::string problem;   // of the tables, as reported last
+    std::string refusal;   // of brltty, as reported last
 
     [[nodiscard]] std::size_t width() const {
         return display && !display->is_lost() ? display->width() : 0;
@@ -174,10 +175,9 @@ void BrailleLine::look_for_display(Desk& desk, double now_s) {
     }
     if (desk.use == BrailleUse::off || desk.display || now_s < desk.look_s) return;
     desk.look_s = now_s + line_look_s;
-    std::string problem;
-    desk.display = BrlapiDisplay::open(problem);
-    if (!problem.empty() && problem != desk.problem) report(problem);
-    desk.problem = problem;
+    const std::string before = std::exchange(desk.refusal, {});
+    desk.display = BrlapiDisplay::open(desk.refusal);
+    if (!desk.refusal.empty() && desk.refusal != before) report(desk.refusal);
 }
 
 void BrailleLine::take_keys(Desk& desk, double now_s) {

@@ -82,8 +82,8 @@ std::unique_ptr<BrlapiDisplay> BrlapiDisplay::open(std::string& problem) {
         // Who has just ended leaves the socket there.
         if (brlapi_errno == BRLAPI_ERROR_AUTHENTICATION)
             problem =
-                "brltty does not let the kiosk in: put touchline-braille.rules into "
-                "/etc/polkit-1/rules.d, as the manual says.";
+                "brltty does not let the kiosk in: install the package touchline-braille, which "
+                "puts the kiosk's user into the group brlapi.";
         return nullptr;
     }
     brlapi__setClientData(handle, display.get());

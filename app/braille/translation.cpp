@@ -72,6 +72,7 @@ Louis& louis() {
 struct PlainText {
     std::vector<widechar> codes;
     std::vector<int> places;
+    std::size_t question_marks = 0;  // for what the table lacks
 
     void put(char32_t code, int place) {
         codes.push_back(static_cast<widechar>(code));
@@ -136,6 +137,7 @@ PlainText plain_text(Louis& state, const char* table, const TextCharacters& text
             };
             const auto found = std::ranges::find_if(found_likes, all_known);
             if (found == found_likes.end()) continue;  // not even a question mark: no table of ours
+            if (*found == U"?") ++plain.question_marks;
             for (const char32_t code : *found) plain.put(code, character.first);
         }
     }
@@ -215,6 +217,7 @@ Result<BrailleText> braille_of(std::string_view text, const std::string& languag
         }
         from += length;
     }
+    result.question_marks = plain.question_marks;
     // Who has no cell of its own has the next one's, so it goes from the end.
     int next = static_cast<int>(result.cells.size());
     for (auto cell = result.first_cell.rbegin(); cell != result.first_cell.rend(); ++cell) {

@@ -8,6 +8,7 @@
 
 #include "config/types/result.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -25,6 +26,8 @@ struct BrailleText {
     std::vector<int> first_cell;
     /// For each cell the character that it stands for; of a contraction the first one. Never falls.
     std::vector<int> character;
+    /// The characters that are written as a question mark, for the table has nothing like them.
+    std::size_t question_marks = 0;
 
     bool operator==(const BrailleText&) const = default;
 };

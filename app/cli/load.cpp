@@ -101,8 +101,13 @@ std::optional<ViewChoice> view_choice_of(const std::string& text) {
     return ViewChoice{ViewChoice::Kind::numbered, *number};
 }
 
-Result<SeenView> open_view(const std::string& path, const ViewChoice& view, bool wants_things) {
-    auto page = open_page_of(path);
+Result<SeenView> open_view(const std::string& path, const ViewChoice& view, bool wants_things,
+                           const LanguageTag& language) {
+    const auto open = [&](PageOrder order) {
+        order.language = language;
+        return open_page_of(path, order);
+    };
+    auto page = open({});
     if (!page) return tl::unexpected(page.error());
     SeenView seen{path, std::move(*page), std::nullopt};
     const Result<void> looked = look_for_things(wants_things, seen);
@@ -115,7 +120,6 @@ Result<SeenView> open_view(const std::string& path, const ViewChoice& view, bool
         return tl::unexpected(
             of_file(path, {fmt::format("it has {} to feel; choose one of them",
                                        views == 1 ? "one view" : fmt::format("{} views", views))}));
-    const auto open = [&path](const PageOrder& order) { return open_page_of(path, order); };
     if (auto finer = finer_page(seen.page, number, open)) seen.page = std::move(*finer);
     seen.is_face = is_face(seen.page, number);
     if (number < views) seen.page = view_of(seen.page, number);

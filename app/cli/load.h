@@ -4,6 +4,7 @@
 
 #include "app/documents/trace/finding_things.h"
 #include "app/documents/trace/tracing.h"
+#include "config/types/choices.h"
 #include "config/types/result.h"
 #include "config/types/tactile_map.h"
 
@@ -38,9 +39,11 @@ struct SeenView {
 };
 
 /// Opens a view of a file's first page, and looks for a photograph's main things. With
-/// `wants_things` it looks in every picture, and fails if it cannot.
+/// `wants_things` it looks in every picture, and fails if it cannot. Words that the file has in
+/// several languages are those in `language`.
 [[nodiscard]] Result<SeenView> open_view(const std::string& path, const ViewChoice& view = {},
-                                         bool wants_things = false);
+                                         bool wants_things = false,
+                                         const LanguageTag& language = {});
 
 /// What the kiosk lets a hand feel of a view: its lines, or a map of Touchline's own as it is.
 /// Errors start with the file.

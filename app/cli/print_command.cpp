@@ -1,11 +1,10 @@
 #include "app/cli/commands.h"
 #include "app/documents/decode/files.h"
-#include "app/documents/decode/map_svg.h"
 #include "app/documents/decode/one_line.h"
-#include "app/documents/trace/page_views.h"
 #include "app/sheets/braille_sheet.h"
 #include "app/sheets/sheet_drawing.h"
 #include "app/sheets/sheet_layout.h"
+#include "app/sheets/sheet_words.h"
 #include "app/sound/catalogues.h"
 #include "audio-cues/words/language.h"
 #include "config/types/utf8.h"
@@ -33,28 +32,12 @@ struct PrintedMap {
     std::string note;
 };
 
-/// A map of Touchline's own in another language: the worker has read it before.
-Result<TactileMap> own_map_in(const std::string& path, const std::string& language, int detail) {
-    return read_map_svg(path, {language}).and_then([detail](TactileMap map) {
-        return shown_at(std::move(map), detail);
-    });
-}
-
 Result<PrintedMap> printed_map(const PrintCommandOptions& options, const Language& language) {
-    const auto seen = open_view(options.input, options.view);
+    const auto seen = open_view(options.input, options.view, false, {options.language});
     if (!seen) return tl::unexpected(seen.error());
-    PrintedMap printed;
-    printed.note = seen->note;
-    if (is_own_map(seen->page) && !seen->is_face && options.language != "en") {
-        auto map = own_map_in(options.input, options.language, options.trace.detail);
-        if (!map) return tl::unexpected(map.error());
-        printed.map = std::move(*map);
-    } else {
-        auto traced = trace_view(*seen, {options.trace});
-        if (!traced) return tl::unexpected(traced.error());
-        printed.map = std::move(traced->map);
-        if (printed.note.empty()) printed.note = traced->warning;
-    }
+    auto traced = trace_view(*seen, {options.trace});
+    if (!traced) return tl::unexpected(traced.error());
+    PrintedMap printed{std::move(traced->map), seen->note.empty() ? traced->warning : seen->note};
     const bool is_whole = options.view.kind == ViewChoice::Kind::first ||
                           options.view.kind == ViewChoice::Kind::whole;
     if (printed.map.description.empty() && seen->things && is_whole)
@@ -62,6 +45,13 @@ Result<PrintedMap> printed_map(const PrintCommandOptions& options, const Languag
     if (printed.map.title.empty())
         printed.map.title = plain_line(std::filesystem::path(options.input).stem().string());
     return printed;
+}
+
+std::string note_of(std::size_t lacking, const std::string& language) {
+    return fmt::format(
+        "question marks stand for {} that the braille of the language {} lacks; choose another "
+        "--language or change the words",
+        lacking == 1 ? "one sign" : fmt::format("{} signs", lacking), language);
 }
 
 Result<std::vector<std::byte>> bytes_of(const std::string& text) {
@@ -122,9 +112,13 @@ Result<std::string> run_print(const PrintCommandOptions& options) {
                         options.language));
     const auto printed = printed_map(options, *language);
     if (!printed) return tl::unexpected(printed.error());
+    const auto lacking = signs_without_braille(printed->map, {options.language, options.grade});
+    if (!lacking) return failure(options.input + ": " + lacking.error().line);
     const auto bytes = sheet_of(printed->map, options, *language);
     if (!bytes) return failure(options.input + ": " + bytes.error().line);
-    return write_whole_file(options.output, *bytes).map([&] { return printed->note; });
+    return write_whole_file(options.output, *bytes).map([&] {
+        return *lacking > 0 ? note_of(*lacking, options.language) : printed->note;
+    });
 }
 
 }  // namespace touchline

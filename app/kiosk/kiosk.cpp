@@ -39,7 +39,7 @@ struct Kiosk::VisitOrderHandler {
     void operator()(const Utterance& utterance) const {
         if (kiosk.is_operator_in() && utterance.priority != SpeechPriority::safety) return;
         kiosk.key_caption_.clear();
-        kiosk.sound_->say(utterance);
+        kiosk.say(utterance);
     }
 
     void operator()(const Hush&) const { kiosk.sound_->hush(); }
@@ -77,6 +77,13 @@ struct Kiosk::VisitOrderHandler {
         if (kiosk.photos_) kiosk.photos_->take();
     }
 
+    void operator()(const PrintSheet&) const {
+        if (kiosk.printer_ && kiosk.picture_.map() != nullptr)
+            kiosk.printer_->print(
+                kiosk.map_to_print(),
+                {kiosk.settings_.printer, kiosk.settings_.sheet, kiosk.language().code()});
+    }
+
     void operator()(const GiveStickBack&) const {
         if (kiosk.sticks_) kiosk.sticks_->end_session();
     }
@@ -99,9 +106,11 @@ Kiosk::Kiosk(KioskParts parts)
       profile_(parts.profile),
       handle_(std::move(parts.servo), parts.profile, settings_),
       sound_(std::move(parts.sound)),
+      braille_(std::move(parts.braille)),
       picture_(std::move(parts.loader)),
       sticks_(std::move(parts.sticks)),
       photos_(std::move(parts.photos)),
+      printer_(std::move(parts.printer)),
       operator_(std::move(parts.operator_session)),
       keys_{std::move(parts.keys),
             KeyFilter(settings_.double_strike_s),
@@ -156,6 +165,8 @@ void Kiosk::follow_rules() {
     rules_.answer_s = settings_.answer_s;
     rules_.offers_staff = settings_.offers_staff;
     rules_.notice = settings_.notice;
+    if (braille_) braille_->choose(settings_.braille);
+    rules_.has_printer = printer_ && !settings_.printer.empty();
     if (sticks_)
         sticks_->allow(settings_.more_file_systems ? FileSystems::more : FileSystems::usual);
     if (photos_)
@@ -168,6 +179,7 @@ void Kiosk::wipe() {
     pictures_.forget();
     if (photos_) photos_->forget();
     sound_->forget();
+    if (braille_) braille_->forget();
     handle_.wipe();
 }
 
@@ -181,6 +193,7 @@ void Kiosk::step(std::int64_t now_ns) {
     follow_camera();
     if (!takes_pen()) pen_.drop();
     handle_.look();
+    follow_braille();
     if (now_s_ - ticked_s_ >= tick_s) tick();
     sound_->step({hand(), shown().scene.get(), handle_.target()});
 }
@@ -193,6 +206,7 @@ void Kiosk::tick() {
     scan_by_itself();
     count_visit();
     follow_hours();
+    follow_printer();
     follow_operator();
 }
 
@@ -294,6 +308,24 @@ void Kiosk::follow_camera() {
     }
     if (news.has_given_up)
         apply(CameraFailed{language().text("camera", "The camera gave no photo. Try again.")});
+}
+
+void Kiosk::follow_printer() {
+    if (!printer_) return;
+    const auto end = printer_->step(settings_.printer, now_s_, is_operator_in());
+    if (!end) return;
+    if (*end != PrintEnd::printed) report("print: " + std::string(line_of(*end)));
+    apply(SheetEnded{*end});
+}
+
+/// What is felt, called as it is called here.
+TactileMap Kiosk::map_to_print() const {
+    TactileMap map = *picture_.map();
+    if (const auto& felt = visit_.visitor.felt) {
+        if (map.title.empty()) map.title = felt->facts.title;
+        if (map.description.empty()) map.description = felt->facts.description;
+    }
+    return map;
 }
 
 std::shared_ptr<const Canvas> Kiosk::preview() const {

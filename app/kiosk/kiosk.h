@@ -6,6 +6,7 @@
 // Threads: the screen's; the parts hide all other threads. No call waits.
 #pragma once
 
+#include "app/braille/visitor_braille.h"
 #include "app/documents/decode/found_words.h"
 #include "app/force/servo/servo_client.h"
 #include "app/kiosk/kiosk_handle.h"
@@ -15,6 +16,7 @@
 #include "app/kiosk/pen.h"
 #include "app/kiosk/photo_capture.h"
 #include "app/kiosk/pictures.h"
+#include "app/kiosk/sheet_printer.h"
 #include "app/kiosk/stick_source.h"
 #include "app/kiosk/watched.h"
 #include "app/sound/visitor_sound.h"
@@ -36,15 +38,17 @@
 
 namespace touchline {
 
-/// `sticks` and `photos` may be null: the site has none.
+/// `sticks`, `photos`, `braille` and `printer` may be null: the site has none.
 struct KioskParts {
     std::vector<Language> languages;  // not empty, English first
     Gallery gallery;                  // in these languages
     std::unique_ptr<ServoClient> servo;
     std::unique_ptr<VisitorSound> sound;
+    std::unique_ptr<VisitorBraille> braille;
     std::unique_ptr<Loader> loader;
     std::unique_ptr<FileSource> sticks;
     std::unique_ptr<PhotoCapture> photos;
+    std::unique_ptr<SheetPrinter> printer;  // sheets are offered once the settings name a queue
     Settings settings;
     KeyTable keys = default_keys();
     /// Null: nobody can enter. Its settings and keys are the ones above.
@@ -194,12 +198,19 @@ class Kiosk : private Pinned {
     void feel_drawing(const FeelDrawing& order);
     void keep_lines_of_felt();
     void follow_camera();
+    void follow_printer();
+    [[nodiscard]] TactileMap map_to_print() const;
     void tick();
     void follow_handle();
     void follow_troubles();
     void follow_part(Part part, bool is_there);
     [[nodiscard]] std::string device_trouble() const;
     void report(const std::string& line);
+
+    // Words for ears and fingers: kiosk_words.cpp.
+    void say(const Utterance& utterance);
+    void follow_braille();
+    void take_line_event(const LineEvent& event);
 
     // Keys: kiosk_keys.cpp.
     void hold_key(const KeyChange& change);
@@ -241,10 +252,12 @@ class Kiosk : private Pinned {
     DeviceProfile profile_;
     KioskHandle handle_;
     std::unique_ptr<VisitorSound> sound_;
+    std::unique_ptr<VisitorBraille> braille_;  // null: there is none
     OrderedPicture picture_;
     Pen pen_;
     std::unique_ptr<FileSource> sticks_;
     std::unique_ptr<PhotoCapture> photos_;
+    std::unique_ptr<SheetPrinter> printer_;
     std::unique_ptr<OperatorSession> operator_;
     std::string operator_caption_;
     std::string key_caption_;  // said of a key; empty once the visit has spoken again

@@ -27,7 +27,7 @@ void Kiosk::answer_staff(const std::string& english) {
 
 void Kiosk::say_of_key(const std::string& text) {
     key_caption_ = text;
-    sound_->say({language().code(), text, SpeechPriority::text});
+    say({language().code(), text, SpeechPriority::text});
 }
 
 /// The window system tells of a held key many times a second.

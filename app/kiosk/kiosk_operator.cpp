@@ -14,7 +14,7 @@ struct Kiosk::OperatorOrderHandler {
 
     void operator()(const Say& say) const {
         kiosk.operator_caption_ = say.text;
-        kiosk.sound_->say({kiosk.language().code(), say.text, SpeechPriority::text});
+        kiosk.say({kiosk.language().code(), say.text, SpeechPriority::text});
     }
 
     void operator()(const Click&) const { kiosk.sound_->give(ScreenEvent::key_taken); }
@@ -57,8 +57,8 @@ struct Kiosk::OperatorOrderHandler {
     /// After the operator's last words, says the visitors' screen.
     void operator()(const Leave&) const {
         kiosk.window_wishes_.shows_live_view = false;
-        kiosk.sound_->say({kiosk.language().code(), spoken_screen(kiosk.screen(), kiosk.language()),
-                           SpeechPriority::hint});
+        kiosk.say({kiosk.language().code(), spoken_screen(kiosk.screen(), kiosk.language()),
+                   SpeechPriority::hint});
     }
 
     /// The session has carried out all others itself; a test that is stopped has ended at once.
@@ -179,6 +179,7 @@ KioskHealth Kiosk::health() const {
                                                                     : CameraHealth::unplugged;
     health.notices_sticks = !sticks_ || sticks_->is_watching();
     health.has_stick = sticks_ && !sticks_->root().empty();
+    if (printer_) health.printer = printer_->condition();
     health.started_ago_s = now_s_ - started_s_.value_or(now_s_);
     return health;
 }

@@ -1,5 +1,6 @@
 #include "app/main/kiosk_window.h"
 
+#include "app/braille/braille_line.h"
 #include "app/documents/gallery/gallery.h"
 #include "app/documents/packs/pack_library.h"
 #include "app/documents/sticks/stick_port.h"
@@ -236,9 +237,12 @@ class KioskWindow {
             std::make_unique<ThreadExecutor>(loading_threads));
         parts.sound = std::make_unique<Sound>(
             std::move(sound_), [client = servo->client.get()] { return client->next_event(); });
+        parts.braille = std::make_unique<BrailleLine>(settings_.braille);
         parts.sticks = std::make_unique<StickSource>(open_stick_port(settings_.watched_folder),
                                                      companion("touchline-import"));
         parts.photos = open_photos();
+        parts.printer = std::make_unique<SheetPrinter>(printing_by(
+            {companion("touchline-sheet"), companion("touchline-print"), words_folder().string()}));
         servo_ = servo->client.get();
         has_motors_ = servo->has_motors;
         parts.servo = std::move(servo->client);

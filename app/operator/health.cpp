@@ -1,5 +1,7 @@
 #include "app/operator/health.h"
 
+#include "app/visit/told_lines.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -95,6 +97,14 @@ struct Lines {
             add(Urgency::none, "Recognising photos", words("complete"));
     }
 
+    void add_printer() {
+        if (!health.printer) return;
+        if (*health.printer == PrintEnd::printed)
+            add(Urgency::none, "Printer", words("ready"));
+        else
+            add_sentences(told_of_print(*health.printer, language, ToldTo::staff));
+    }
+
     void add_rest() {
         if (!health.can_keep) add_trouble("Nothing can be saved. Make room on the disk.");
         add(health.faults_today > 0 ? Urgency::remark : Urgency::none, "Faults today",
@@ -113,6 +123,7 @@ std::vector<HealthLine> health_lines(const KioskHealth& health, const Language& 
     all.add_camera();
     all.add_sticks();
     all.add_networks();
+    all.add_printer();
     all.add_rest();
     std::ranges::stable_sort(all.lines, {}, &HealthLine::urgency);
     return std::move(all.lines);

@@ -2,6 +2,7 @@
 // Threads: values and pure functions.
 #pragma once
 
+#include "app/printing/print_end.h"
 #include "audio-cues/words/language.h"
 
 #include <cstdint>
@@ -30,7 +31,8 @@ struct KioskHealth {
     bool notices_sticks = true;
     bool has_stick = false;
     NetworkHealth networks;
-    bool can_keep = true;  // settings and counts reach the disk
+    std::optional<PrintEnd> printer;  // of its last check; nothing: no printer, or not known yet
+    bool can_keep = true;             // settings and counts reach the disk
     std::uint64_t faults_today = 0;
     double started_ago_s = 0.0;
     std::string version;

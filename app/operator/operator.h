@@ -48,6 +48,7 @@ enum class OperatorPlace : std::uint8_t {
     key_wizard,
     screen,
     sticks,
+    printing,
     device,
     homing,
     kind,
@@ -67,7 +68,7 @@ enum class OperatorPlace : std::uint8_t {
     question,
 };
 
-inline constexpr std::size_t operator_place_count = 42;
+inline constexpr std::size_t operator_place_count = 43;
 
 /// The screens that need the PIN.
 [[nodiscard]] constexpr bool is_inside(OperatorPlace place) {

@@ -41,6 +41,7 @@ constexpr auto places = std::to_array<PlaceRow>({
     {P::key_wizard, P::keys, "Assign the keys", "", "", false},
     {P::screen, P::senses, "Screen", "", "screen"},
     {P::sticks, P::senses, "USB sticks", "USB sticks with FAT and exFAT are always read.", "stick"},
+    {P::printing, P::senses, "Printer", "", "print"},
     {P::device, P::home, "Handle and tests", "", ""},
     {P::homing, P::device, "Find the handle’s starting point",
      "The kiosk says where to move the handle. Force is off meanwhile.", ""},

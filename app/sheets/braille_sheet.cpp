@@ -1,6 +1,7 @@
 #include "app/sheets/braille_sheet.h"
 
 #include "app/sheets/line_gaps.h"
+#include "app/sheets/paper_place.h"
 #include "app/sheets/sheet_words.h"
 #include "app/sheets/stroke_grid.h"
 #include "config/types/extent.h"
@@ -82,17 +83,9 @@ DotLattice graphic_lattice(PaperKind paper) {
 Result<DotPicture> dots_of(const TactileMap& map, const DotLattice& lattice) {
     const Extent extent = extent_of(map);
     if (!extent.is_finite()) return failure("there is no line to emboss");
-    const Position ink = 1000.0 * (extent.high - extent.low);
     const PaperSize room{lattice.x_mm.back(), lattice.y_mm.back()};
-    const auto fit = [](double room_mm, double ink_mm) {
-        return ink_mm > 0.0 ? room_mm / ink_mm : widest_scale;
-    };
-    PaperPlace place{
-        {0.0, 0.0},
-        std::min({fit(room.width_mm, ink.x), fit(room.height_mm, ink.y), widest_scale})};
-    const PaperPoint middle = place(extent.middle());
-    place.middle = {room.width_mm / 2.0 - middle.x_mm, room.height_mm / 2.0 - middle.y_mm};
-
+    const PaperPlace place = middle_place(extent, {0.0, 0.0, room.width_mm, room.height_mm},
+                                          fitting_scale(extent, room, widest_scale));
     DotPicture dots{lattice.x_mm.size(), lattice.y_mm.size(), {}};
     dots.raised.assign(dots.columns * dots.rows, false);
     for (const SheetStroke& stroke :
@@ -105,7 +98,9 @@ Result<DotPicture> dots_of(const TactileMap& map, const DotLattice& lattice) {
 
 Result<BraillePages> word_pages(const TactileMap& map, const BrailleHand& hand,
                                 const Language& language) {
-    return braille_lines(paragraphs_of(map, {}, language), embosser_cells, hand).map(paged);
+    return check_parts(map).and_then([&] {
+        return braille_lines(paragraphs_of(map, {}, language), embosser_cells, hand).map(paged);
+    });
 }
 
 Result<BraillePages> drawing_pages(const TactileMap& map, const BrailleHand& hand) {

@@ -1,5 +1,7 @@
 #include "app/sheets/label_places.h"
 
+#include "app/sheets/leader_way.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,15 +12,11 @@ namespace touchline {
 namespace {
 
 constexpr double lattice_mm = 2.0;
-constexpr double half_diagonal_mm = 1.42;  // of a square of the lattice
-constexpr double leader_half_mm = thin_line_mm / 2.0;
-constexpr double leader_step_mm = 0.4;
-constexpr double steepest_mm = 7.5;       // way of a leader from its line until it is clear of it
-constexpr double least_start_mm = 5.0;    // piece of a leader at its line
-constexpr double least_stretch_mm = 4.0;  // and any other
+constexpr double half_diagonal_mm = 1.42;                          // of a square of the lattice
+constexpr double leader_end_mm = least_clear_mm + leader_half_mm;  // from the label's dots
 constexpr double longest_mm = 110.0;
-constexpr int most_breaks = 2;
-constexpr double spot_mm = 3.0;  // the dot at a place without a line
+constexpr double on_line_mm = 1.0;  // what is named lies on a line that is this near
+constexpr double spot_mm = 3.0;     // the dot at a place without a line
 constexpr int most_tries = 4;
 constexpr int most_ways = 400;            // leaders that are judged for one label
 constexpr std::size_t tried_anchors = 4;  // of one place for a label: the nearest
@@ -26,6 +24,7 @@ constexpr double label_reach_mm = 9.0;
 
 // What counts as a longer leader.
 constexpr double of_break_mm = 40.0;
+constexpr double of_nearness = 1.0;  // each millimetre that is nearer to a line than it should be
 constexpr double of_inside_mm = 25.0;
 constexpr double of_row_mm = 2.0;
 constexpr double of_place_mm = 30.0;  // for a place, a label that does not lie upon it
@@ -40,6 +39,13 @@ bool is_inside(const SheetStroke& ring, PaperPoint p) {
         if (p.x_mm < x) inside = !inside;
     }
     return inside;
+}
+
+double distance_to_mm(const SheetStroke& ring, PaperPoint p) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0, j = ring.points.size() - 1; i < ring.points.size(); j = i++)
+        least = std::min(least, segment_distance_mm(ring.points[j], ring.points[i], p));
+    return least;
 }
 
 /// Which points of a lattice over the zone are too near to a line for braille.
@@ -91,43 +97,76 @@ class FreeLattice {
     std::vector<int> sums_;  // of the taken points above and to the left
 };
 
+/// A leader to a place for a label. To judge it costs much and does not depend on other labels, so
+/// it is done at the first try that asks for it.
+struct Leader {
+    PaperPoint anchor;
+    bool is_judged = false;
+    std::optional<LeaderWay> way;
+};
+
 /// A place for a label that has not been judged wholly yet.
 struct Candidate {
     double least_cost = 0.0;
     PaperBox box;
     std::size_t shape = 0;
+    std::vector<Leader> leaders;     // empty until a try asks for them
+    std::vector<std::size_t> rings;  // closed lines around it; known as soon as the leaders are
 };
 
 struct Chosen {
     PlacedLabel label;
     PaperBox box;
     double cost = std::numeric_limits<double>::infinity();
+    int breaks = 0;
 };
+
+/// A plan, and what each label costs in it: infinite for one that found no room.
+struct TriedPlan {
+    LabelPlan plan;
+    std::vector<double> costs;
+};
+
+/// Labels that find room come before how good their places are.
+bool is_better(const TriedPlan& a, const TriedPlan& b) {
+    const auto sum = [](const std::vector<double>& costs) {
+        double all = 0.0;
+        for (const double cost : costs) all += std::isinf(cost) ? 0.0 : cost;
+        return all;
+    };
+    const std::size_t of_a = a.plan.without_room.size();
+    const std::size_t of_b = b.plan.without_room.size();
+    return of_a != of_b ? of_a < of_b : sum(a.costs) < sum(b.costs);
+}
 
 class Placer {
   public:
     Placer(const std::vector<WantedLabel>& wanted, const std::vector<SheetStroke>& lines,
-           PaperSize page, const PaperBox& zone)
-        : wanted_(wanted), lines_(lines), grid_(page, label_reach_mm) {
+           const std::vector<SheetStroke>& shapes, PaperSize page, const PaperBox& zone)
+        : wanted_(wanted), grid_(page, label_reach_mm) {
+        for (const SheetStroke& shape : shapes)
+            if (shape.is_closed) rings_.push_back(shape);
         for (const SheetStroke& line : lines) grid_.add(line);
         const FreeLattice lattice(grid_, zone);
         for (const WantedLabel& label : wanted) candidates_.push_back(candidates(label, lattice));
     }
 
-    [[nodiscard]] LabelPlan place(const std::vector<std::size_t>& order) const {
-        LabelPlan plan;
+    [[nodiscard]] TriedPlan place(const std::vector<std::size_t>& order) {
+        TriedPlan tried{{}, std::vector<double>(wanted_.size())};
         Taken taken;
         for (const std::size_t i : order) {
             Chosen chosen = best_for(i, taken);
+            tried.costs[i] = chosen.cost;
             if (std::isinf(chosen.cost)) {
-                plan.without_room.push_back(wanted_[i].part);
+                tried.plan.without_room.push_back(wanted_[i].part);
                 continue;
             }
+            tried.plan.breaks += chosen.breaks;
             taken.boxes.push_back(chosen.box);
             for (const SheetStroke& piece : chosen.label.leader) taken.leaders.push_back(piece);
-            plan.placed.push_back(std::move(chosen.label));
+            tried.plan.placed.push_back(std::move(chosen.label));
         }
-        return plan;
+        return tried;
     }
 
   private:
@@ -136,9 +175,20 @@ class Placer {
         std::vector<SheetStroke> leaders;
     };
 
-    [[nodiscard]] bool is_inside_any(PaperPoint p) const {
-        return std::ranges::any_of(
-            lines_, [p](const SheetStroke& line) { return line.is_closed && is_inside(line, p); });
+    /// The closed lines around a place.
+    [[nodiscard]] std::vector<std::size_t> rings_around(PaperPoint p) const {
+        std::vector<std::size_t> rings;
+        for (std::size_t i = 0; i < rings_.size(); ++i)
+            if (is_inside(rings_[i], p)) rings.push_back(i);
+        return rings;
+    }
+
+    /// A label inside a closed line seems to name that, unless what it names is that line or within
+    /// it, too.
+    [[nodiscard]] bool seems_to_name_another(const Candidate& candidate, PaperPoint anchor) const {
+        return std::ranges::any_of(candidate.rings, [&](std::size_t i) {
+            return !is_inside(rings_[i], anchor) && distance_to_mm(rings_[i], anchor) > on_line_mm;
+        });
     }
 
     static bool is_free(const PaperBox& box, const Taken& taken) {
@@ -153,13 +203,14 @@ class Placer {
         });
     }
 
-    static bool is_free(PaperPoint from, PaperPoint to, const Taken& taken) {
+    /// For a straight line of this half width.
+    static bool is_free(PaperPoint from, PaperPoint to, double half_mm, const Taken& taken) {
         const bool meets_box = std::ranges::any_of(taken.boxes, [&](const PaperBox& other) {
-            return segment_distance_mm(from, to, other) < least_clear_mm + leader_half_mm;
+            return segment_distance_mm(from, to, other) < least_clear_mm + half_mm;
         });
         return !meets_box && std::ranges::none_of(taken.leaders, [&](const SheetStroke& piece) {
             return segments_distance_mm(from, to, piece.points.front(), piece.points.back()) <
-                   least_clear_mm + leader_half_mm + piece.width_mm / 2.0;
+                   least_clear_mm + half_mm + piece.width_mm / 2.0;
         });
     }
 
@@ -176,28 +227,31 @@ class Placer {
                                  double least = longest_mm;
                                  for (const PaperPoint& anchor : wanted.anchors)
                                      least = std::min(least, distance_mm(box, anchor));
-                                 if (least < longest_mm) found.push_back({least + more_mm, box, s});
+                                 if (least < longest_mm)
+                                     found.push_back({least + more_mm, box, s, {}, {}});
                              });
         }
         std::ranges::sort(found, {}, &Candidate::least_cost);
         return found;
     }
 
-    /// The anchors nearest to the box, the nearest first.
-    static std::vector<PaperPoint> near_anchors(const WantedLabel& wanted, const PaperBox& box) {
+    /// From the anchors nearest to the box, the nearest first.
+    static std::vector<Leader> near_leaders(const WantedLabel& wanted, const PaperBox& box) {
         std::vector<PaperPoint> anchors = wanted.anchors;
         const auto count = static_cast<std::ptrdiff_t>(std::min(anchors.size(), tried_anchors));
         std::ranges::partial_sort(anchors, anchors.begin() + count, {},
                                   [&box](PaperPoint p) { return distance_mm(box, p); });
-        anchors.resize(static_cast<std::size_t>(count));
-        return anchors;
+        std::vector<Leader> leaders;
+        for (auto i = anchors.begin(); i != anchors.begin() + count; ++i)
+            leaders.push_back({*i, false, std::nullopt});
+        return leaders;
     }
 
-    [[nodiscard]] Chosen best_for(std::size_t label, const Taken& taken) const {
+    [[nodiscard]] Chosen best_for(std::size_t label, const Taken& taken) {
         const WantedLabel& wanted = wanted_[label];
         Chosen best;
         int ways_left = most_ways;
-        for (const Candidate& candidate : candidates_[label]) {
+        for (Candidate& candidate : candidates_[label]) {
             if (candidate.least_cost >= best.cost || ways_left <= 0) break;
             if (!is_free(candidate.box, taken)) continue;
             const PaperPoint middle{(candidate.box.left_mm + candidate.box.right_mm) / 2.0,
@@ -207,36 +261,58 @@ class Placer {
                 if (cost < best.cost) best = chosen(wanted, candidate, cost, {});
                 continue;
             }
-            const double more_mm = (is_inside_any(middle) ? of_inside_mm : 0.0) +
+            if (candidate.leaders.empty()) {
+                candidate.leaders = near_leaders(wanted, candidate.box);
+                candidate.rings = rings_around(middle);
+            }
+            const double more_mm = (candidate.rings.empty() ? 0.0 : of_inside_mm) +
                                    (wanted.is_place ? of_place_mm : 0.0);
-            for (const PaperPoint& anchor : near_anchors(wanted, candidate.box))
-                try_leader(wanted, candidate, anchor, more_mm, taken, ways_left, best);
+            for (Leader& leader : candidate.leaders)
+                try_leader(wanted, candidate, leader, more_mm, taken, ways_left, best);
         }
         return best;
     }
 
-    void try_leader(const WantedLabel& wanted, const Candidate& candidate, PaperPoint anchor,
+    void try_leader(const WantedLabel& wanted, const Candidate& candidate, Leader& leader,
                     double more_mm, const Taken& taken, int& ways_left, Chosen& best) const {
-        const PaperBox rim = grown(candidate.box, least_clear_mm + leader_half_mm);
-        const PaperPoint port{std::clamp(anchor.x_mm, rim.left_mm, rim.right_mm),
-                              std::clamp(anchor.y_mm, rim.top_mm, rim.bottom_mm)};
+        const PaperPoint anchor = leader.anchor;
+        const PaperPoint port = port_of(candidate.box, anchor);
         const double length = distance_mm(anchor, port);
         const double rows = static_cast<double>(wanted.shapes[candidate.shape].size());
         const double cost = length + more_mm + of_row_mm * (rows - 1.0);
         if (length < least_start_mm || cost >= best.cost) return;
-        if (!is_free(anchor, port, taken)) return;
+        if (!is_free(anchor, port, leader_half_mm, taken)) return;
+        const bool has_spot =
+            wanted.is_place && grid_.near(anchor).clear_mm > least_clear_mm + spot_mm / 2.0;
+        if (has_spot && !is_free(anchor, anchor, spot_mm / 2.0, taken)) return;
         --ways_left;
-        auto way = leader_way(anchor, port, grid_);
-        if (!way || cost + of_break_mm * way->breaks >= best.cost) return;
-        if (wanted.is_place && grid_.near(anchor).clear_mm > least_clear_mm + spot_mm / 2.0)
-            way->pieces.insert(way->pieces.begin(),
-                               {{anchor}, false, spot_mm, StrokeUse::leader, 0});
-        best = chosen(wanted, candidate, cost + of_break_mm * way->breaks, std::move(way->pieces));
+        if (!leader.is_judged) {
+            leader.is_judged = true;
+            if (!seems_to_name_another(candidate, anchor))
+                leader.way = leader_way(anchor, port, grid_);
+        }
+        if (!leader.way) return;
+        const LeaderWay& way = *leader.way;
+        const double whole_cost = cost + of_break_mm * way.breaks + of_nearness * way.near_mm;
+        if (whole_cost >= best.cost) return;
+        best = chosen(wanted, candidate, whole_cost, way.pieces);
+        best.breaks = way.breaks;
+        std::vector<SheetStroke>& drawn = best.label.leader;
+        if (has_spot) drawn.insert(drawn.begin(), {{anchor}, false, spot_mm, StrokeUse::leader, 0});
+    }
+
+    /// On the straight way to the label's nearest place, and as near to it at a corner as
+    /// elsewhere: a finger that leaves the leader's end goes on to the label.
+    static PaperPoint port_of(const PaperBox& box, PaperPoint anchor) {
+        const PaperPoint nearest{std::clamp(anchor.x_mm, box.left_mm, box.right_mm),
+                                 std::clamp(anchor.y_mm, box.top_mm, box.bottom_mm)};
+        const double way_mm = distance_mm(nearest, anchor);
+        return between(nearest, anchor, std::min(1.0, leader_end_mm / way_mm));
     }
 
     static Chosen chosen(const WantedLabel& wanted, const Candidate& candidate, double cost,
                          std::vector<SheetStroke> leader) {
-        Chosen made{{wanted.part, {}, std::move(leader)}, candidate.box, cost};
+        Chosen made{{wanted.part, {}, std::move(leader)}, candidate.box, cost, 0};
         const double half_mm = braille_dot_mm / 2.0;
         PaperPoint first{candidate.box.left_mm + half_mm, candidate.box.top_mm + half_mm};
         for (const BrailleCells& line : wanted.shapes[candidate.shape]) {
@@ -247,71 +323,35 @@ class Placer {
     }
 
     const std::vector<WantedLabel>& wanted_;
-    const std::vector<SheetStroke>& lines_;
+    std::vector<SheetStroke> rings_;
     StrokeGrid grid_;
     std::vector<std::vector<Candidate>> candidates_;  // of each label, the best first
 };
 
 }  // namespace
 
-std::optional<LeaderWay> leader_way(PaperPoint anchor, PaperPoint port, const StrokeGrid& grid) {
-    const double length = distance_mm(anchor, port);
-    const int steps = std::max(1, static_cast<int>(std::ceil(length / leader_step_mm)));
-    const double step = length / steps;
-    const auto is_clear = [&](int k) {
-        const PaperPoint p = between(anchor, port, static_cast<double>(k) / steps);
-        return grid.near(p).clear_mm - leader_half_mm >= least_clear_mm;
-    };
-    int k = 0;
-    while (k <= steps && !is_clear(k)) ++k;
-    if (k * step > steepest_mm || k > steps) return std::nullopt;
-
-    LeaderWay way;
-    const auto add = [&](int from, int to) {
-        const bool is_start = from == 0;
-        if ((to - from) * step < (is_start ? least_start_mm : least_stretch_mm)) return !is_start;
-        way.pieces.push_back({{between(anchor, port, static_cast<double>(from) / steps),
-                               between(anchor, port, static_cast<double>(to) / steps)},
-                              false,
-                              thin_line_mm,
-                              StrokeUse::leader,
-                              0});
-        return true;
-    };
-    int from = 0;
-    for (; k <= steps; ++k) {
-        if (is_clear(k)) continue;
-        if (!add(from, k - 1)) return std::nullopt;
-        while (k <= steps && !is_clear(k)) ++k;
-        if (k > steps || ++way.breaks > most_breaks) return std::nullopt;
-        from = k;
-    }
-    if ((steps - from) * step < least_stretch_mm || !add(from, steps)) return std::nullopt;
-    return way;
-}
-
 LabelPlan placed_labels(const std::vector<WantedLabel>& wanted,
-                        const std::vector<SheetStroke>& lines, PaperSize page,
+                        const std::vector<SheetStroke>& lines,
+                        const std::vector<SheetStroke>& shapes, PaperSize page,
                         const PaperBox& zone) {
-    const Placer placer(wanted, lines, page, zone);
+    Placer placer(wanted, lines, shapes, page, zone);
     std::vector<std::size_t> order(wanted.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    // Those with the least choice first: places, then what has few anchors, then the widest.
+    // Those with the least choice first: places, then what has few anchors.
     std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
         if (wanted[a].is_place != wanted[b].is_place) return wanted[a].is_place;
         return wanted[a].anchors.size() < wanted[b].anchors.size();
     });
-    LabelPlan best = placer.place(order);
-    for (int t = 1; t < most_tries && !best.without_room.empty(); ++t) {
-        const auto found_none = [&](std::size_t i) {
-            return std::ranges::count(best.without_room, wanted[i].part) > 0;
-        };
-        std::ranges::stable_partition(order, found_none);
-        LabelPlan next = placer.place(order);
-        if (next.without_room.size() >= best.without_room.size()) break;
-        best = std::move(next);
+    if (order.empty()) return {};
+    TriedPlan best = placer.place(order);
+    TriedPlan last = best;
+    for (int t = 1; t < most_tries; ++t) {
+        const double worst = std::ranges::max(last.costs);
+        std::ranges::stable_partition(order, [&](std::size_t i) { return last.costs[i] >= worst; });
+        last = placer.place(order);
+        if (is_better(last, best)) best = last;
     }
-    return best;
+    return std::move(best.plan);
 }
 
 }  // namespace touchline

@@ -6,7 +6,6 @@
 #include "app/sheets/stroke_grid.h"
 #include "app/sheets/tactile_sheet.h"
 
-#include <optional>
 #include <vector>
 
 namespace touchline {
@@ -27,26 +26,19 @@ struct PlacedLabel {
 struct LabelPlan {
     std::vector<PlacedLabel> placed;
     std::vector<std::size_t> without_room;  // parts
+    int breaks = 0;                         // of all leaders, at lines that they cross
 };
 
 /// Dots of a label stay least_clear_mm from every line and leader, braille_label_mm from the dots
 /// of another label, and within the zone. A leader is straight and ends on its line, or in a dot at
 /// its place; it is broken where it crosses lines, and meets no other leader. Each label takes the
-/// place with the shortest leader, where breaks, the inside of closed lines and further rows count
-/// as a longer one. The labels are placed one after the other; those that found no room go first in
-/// the next try. About 20 ms for ten labels.
+/// place with the shortest leader, where breaks, nearness to lines, the inside of closed lines and
+/// further rows count as a longer one; none lies inside a closed line that is not around what it
+/// names. `lines` are as they are drawn, `shapes` as they would be without gaps. The labels are
+/// placed one after the other; those that found no room, or the worst, go first in the next try.
 [[nodiscard]] LabelPlan placed_labels(const std::vector<WantedLabel>& wanted,
-                                      const std::vector<SheetStroke>& lines, PaperSize page,
+                                      const std::vector<SheetStroke>& lines,
+                                      const std::vector<SheetStroke>& shapes, PaperSize page,
                                       const PaperBox& zone);
-
-/// A leader's pieces from `anchor` to `port`, and how often lines break it. Nothing if it leaves
-/// its line at too flat an angle, or if too little of it would be left. `grid` holds the lines.
-struct LeaderWay {
-    std::vector<SheetStroke> pieces;
-    int breaks = 0;
-};
-
-[[nodiscard]] std::optional<LeaderWay> leader_way(PaperPoint anchor, PaperPoint port,
-                                                  const StrokeGrid& grid);
 
 }  // namespace touchline

@@ -2,6 +2,7 @@
 // Threads: pure functions.
 #pragma once
 
+#include "app/sheets/paper_place.h"
 #include "app/sheets/tactile_sheet.h"
 #include "config/types/tactile_map.h"
 
@@ -9,16 +10,6 @@
 #include <vector>
 
 namespace touchline {
-
-/// From the picture frame W to the page.
-struct PaperPlace {
-    PaperPoint middle;   // where the origin of W lies
-    double scale = 1.0;  // millimetres on paper per millimetre of the map
-
-    [[nodiscard]] PaperPoint operator()(Position p_W) const {
-        return {middle.x_mm + 1000.0 * scale * p_W.x, middle.y_mm - 1000.0 * scale * p_W.y};
-    }
-};
 
 struct GapRule {
     double clear_mm = least_clear_mm;  // between edges
@@ -36,11 +27,16 @@ struct PaperLines {
     std::vector<std::size_t> left_out;  // and those that are left out wholly
 };
 
+/// The outlines as they are, in the order of the map; `source` is the place in it.
+[[nodiscard]] std::vector<SheetStroke> whole_lines(const TactileMap& map, const PaperPlace& place,
+                                                   const GapRule& rule = {});
+
 /// The more important of two is the one of lower detail, then of more weight, then the longer. The
 /// other is broken where they cross, is left out where they run beside each other or along the same
 /// way, and is kept where one ends on the other or both have one label. No two strokes are nearer
-/// than `clear_mm`, but within joint_reach_mm of where they meet. Breaks at crossings are not told
-/// as left out. What an outline does to itself stays. O(points).
+/// than `clear_mm`, but within joint_reach_mm of where these two meet. What is left of a line that
+/// goes on along another one ends upon that. Breaks at crossings are not told as left out. What an
+/// outline does to itself stays. O(points * strokes near them).
 [[nodiscard]] PaperLines paper_lines(const TactileMap& map, const PaperPlace& place, PaperSize page,
                                      const GapRule& rule = {});
 

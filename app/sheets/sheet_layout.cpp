@@ -3,6 +3,7 @@
 #include "app/sheets/label_places.h"
 #include "app/sheets/line_gaps.h"
 #include "app/sheets/page_frame.h"
+#include "app/sheets/paper_place.h"
 #include "app/sheets/sheet_words.h"
 #include "app/sheets/stroke_grid.h"
 #include "config/types/extent.h"
@@ -27,9 +28,10 @@ constexpr std::size_t most_label_cells = 24;
 constexpr std::size_t most_label_rows = 4;
 
 // What a drawing costs against its size: one step of the scale is about 0.08.
-constexpr double of_unlabelled = 0.2;
+constexpr double of_unlabelled = 0.3;
 constexpr double of_left_out = 0.2;
 constexpr double of_broken = 0.1;
+constexpr double of_leader_break = 0.03;
 
 /// The box of all lines and places; nothing if there is no line.
 std::optional<Extent> ink_of(const TactileMap& map) {
@@ -105,19 +107,17 @@ bool is_plain_place(const std::vector<PaperPoint>& points, std::size_t i, bool i
 }
 
 /// Where a leader may end on the drawn lines of a part: away from all other lines if it can be.
-std::vector<PaperPoint> anchors_of(const NamedPart& part, const SheetMatter& matter,
-                                   const PaperPlace& place, const StrokeGrid& lines) {
+std::vector<PaperPoint> anchors_of(const NamedPart& part, const std::vector<SheetStroke>& shapes,
+                                   const StrokeGrid& lines) {
     std::vector<PaperPoint> free;
     std::vector<std::pair<double, PaperPoint>> others;
     for (const std::size_t i : part.outlines) {
-        SheetStroke whole{{}, matter.map.outlines[i].is_closed, 0.0, StrokeUse::outline, i};
-        for (const Position& p : matter.map.outlines[i].points) whole.points.push_back(place(p));
-        const std::vector<PaperPoint> points = sampled(whole, anchor_step_mm);
+        const std::vector<PaperPoint> points = sampled(shapes[i], anchor_step_mm);
         for (std::size_t k = 0; k < points.size(); ++k) {
             const PaperPoint p = points[k];
             if (lines.near(p).centre_mm > anchor_touch_mm) continue;
             const double clear_mm = lines.near(p, i).clear_mm;
-            if (clear_mm > 2.0 * least_clear_mm && is_plain_place(points, k, whole.is_closed)) {
+            if (clear_mm > 2.0 * least_clear_mm && is_plain_place(points, k, shapes[i].is_closed)) {
                 free.push_back(p);
             } else {
                 others.emplace_back(clear_mm, p);
@@ -132,6 +132,7 @@ std::vector<PaperPoint> anchors_of(const NamedPart& part, const SheetMatter& mat
 }
 
 std::vector<WantedLabel> wanted_labels(const SheetMatter& matter, const PaperPlace& place,
+                                       const std::vector<SheetStroke>& shapes,
                                        const StrokeGrid& lines) {
     std::vector<WantedLabel> wanted;
     for (std::size_t i = 0; i < matter.parts.size(); ++i) {
@@ -140,7 +141,7 @@ std::vector<WantedLabel> wanted_labels(const SheetMatter& matter, const PaperPla
         if (label.is_place) {
             label.anchors.push_back(place(part.place));
         } else {
-            label.anchors = anchors_of(part, matter, place, lines);
+            label.anchors = anchors_of(part, shapes, lines);
         }
         if (!label.anchors.empty() && !label.shapes.empty()) wanted.push_back(std::move(label));
     }
@@ -153,6 +154,7 @@ struct DrawnPage {
     double scale = 1.0;
     std::vector<std::string> left_out;
     std::vector<std::string> unlabelled;
+    int breaks = 0;  // of leaders
     double cost = std::numeric_limits<double>::infinity();
 };
 
@@ -186,17 +188,15 @@ Result<DrawnPage> drawn_at(const SheetMatter& matter, PaperSize size, double sca
     if (!words) return tl::unexpected(words.error());
     PageFrame frame = page_frame(size, *words);
 
-    PaperPlace place{{0.0, 0.0}, scale};
-    const PaperPoint off = place(matter.ink.middle());
-    place.middle = {(frame.zone.left_mm + frame.zone.right_mm) / 2.0 - off.x_mm,
-                    (frame.zone.top_mm + frame.zone.bottom_mm) / 2.0 - off.y_mm};
+    const PaperPlace place = middle_place(matter.ink, frame.zone, scale);
+    const std::vector<SheetStroke> shapes = whole_lines(matter.map, place);
     PaperLines lines = paper_lines(matter.map, place, size);
     StrokeGrid grid(size, 3.0 * least_clear_mm);
     for (const SheetStroke& stroke : lines.strokes) grid.add(stroke);
-    LabelPlan plan =
-        placed_labels(wanted_labels(matter, place, grid), lines.strokes, size, frame.zone);
+    LabelPlan plan = placed_labels(wanted_labels(matter, place, shapes, grid), lines.strokes,
+                                   shapes, size, frame.zone);
 
-    DrawnPage drawn{std::move(frame.page), scale, {}, {}, 0.0};
+    DrawnPage drawn{std::move(frame.page), scale, {}, {}, plan.breaks, 0.0};
     drawn.left_out = names_of(matter.map, lines, language.text("sheet", "lines without a name"));
     std::ranges::move(lines.strokes, std::back_inserter(drawn.page.strokes));
     for (PlacedLabel& label : plan.placed) {
@@ -210,18 +210,16 @@ Result<DrawnPage> drawn_at(const SheetMatter& matter, PaperSize size, double sca
         drawn.unlabelled.push_back(matter.parts[part].name);
     drawn.cost = of_unlabelled * static_cast<double>(plan.without_room.size()) +
                  of_left_out * static_cast<double>(lines.left_out.size()) +
-                 of_broken * static_cast<double>(lines.broken.size()) - std::log(scale);
+                 of_broken * static_cast<double>(lines.broken.size()) +
+                 of_leader_break * plan.breaks - std::log(scale);
     return drawn;
 }
 
 /// The largest scale at which the lines fit into a zone; 0 if there is none.
 double largest_scale(const Extent& ink, const PaperBox& zone) {
-    if (std::min(zone.width_mm(), zone.height_mm()) <= outer_line_mm) return 0.0;
-    const Position size = 1000.0 * (ink.high - ink.low);
-    const auto fit = [](double room_mm, double ink_mm) {
-        return ink_mm > 0.0 ? (room_mm - outer_line_mm) / ink_mm : most_scale;
-    };
-    return std::min({fit(zone.width_mm(), size.x), fit(zone.height_mm(), size.y), most_scale});
+    const PaperSize room{zone.width_mm() - outer_line_mm, zone.height_mm() - outer_line_mm};
+    if (!(std::min(room.width_mm, room.height_mm) > 0.0)) return 0.0;
+    return fitting_scale(ink, room, most_scale);
 }
 
 /// The best of one position of the paper, if anything fits there.
@@ -234,7 +232,7 @@ Result<DrawnPage> best_page(const SheetMatter& matter, PaperSize size, const Lan
         if (best.cost <= -std::log(scale)) break;  // no smaller one is better
         auto drawn = drawn_at(matter, size, scale, language);
         if (!drawn) return drawn;
-        const bool is_whole = drawn->unlabelled.empty();
+        const bool is_whole = drawn->unlabelled.empty() && drawn->breaks == 0;
         if (drawn->cost < best.cost) best = std::move(*drawn);
         if (is_whole) break;  // smaller ones only lose lines
     }
@@ -265,6 +263,7 @@ Result<TactileSheet> tactile_sheet(const TactileMap& map, const SheetOrder& orde
                                    const Language& language) {
     const auto ink = ink_of(map);
     if (!ink) return failure("there is no line to print");
+    if (const auto few = check_parts(map); !few) return tl::unexpected(few.error());
     const auto matter = matter_of(map, *ink, order.hand, language);
     if (!matter) return tl::unexpected(matter.error());
     const PaperSize upright = size_of(order.paper);

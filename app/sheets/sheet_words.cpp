@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include <fmt/format.h>
+
 namespace touchline {
 namespace {
 
@@ -37,10 +39,33 @@ std::vector<NamedPart> named_parts(const TactileMap& map) {
         }
     }
     for (NamedPart& part : parts) part.place = middle_of(map, part.outlines);
+    const std::size_t lines = parts.size();
+    const auto names_a_line = [&](const std::string& text) {
+        const auto end = parts.begin() + static_cast<std::ptrdiff_t>(lines);
+        return std::ranges::find(parts.begin(), end, text, &NamedPart::name) != end;
+    };
     for (const Label& label : map.labels)
-        if (!label.text.empty()) parts.push_back({label.text, {}, label.place});
+        if (!label.text.empty() && !names_a_line(label.text))
+            parts.push_back({label.text, {}, label.place});
     if (parts.size() == 1 && !parts.front().outlines.empty() && !map.title.empty()) parts.clear();
     return parts;
+}
+
+Result<void> check_parts(const TactileMap& map) {
+    const std::size_t count = named_parts(map).size();
+    if (count <= most_sheet_parts) return {};
+    return failure(
+        fmt::format("it has {} parts with a name, and a sheet holds {}; choose a lower detail, or "
+                    "another picture",
+                    count, most_sheet_parts));
+}
+
+Result<std::size_t> signs_without_braille(const TactileMap& map, const BrailleHand& hand) {
+    std::string texts = map.title + ' ' + map.description;
+    for (const NamedPart& part : named_parts(map)) texts += ' ' + part.name;
+    return braille_of(texts, hand.language, hand.grade).map([](const BrailleText& braille) {
+        return braille.question_marks;
+    });
 }
 
 std::string scale_words(double scale, const Language& language) {

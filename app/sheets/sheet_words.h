@@ -4,6 +4,7 @@
 
 #include "app/sheets/braille_lines.h"
 #include "audio-cues/words/language.h"
+#include "config/types/result.h"
 #include "config/types/tactile_map.h"
 
 #include <string>
@@ -18,9 +19,21 @@ struct NamedPart {
     Position place;  // the middle of its lines' box in W, or the label's place
 };
 
-/// Each name once, in the order of the map; outlines come before places. None for a map whose only
-/// name is that of its only part: its title says it. O(outlines^2).
+/// In the order of the map; outlines come before places. Outlines of one name are one part, and a
+/// text that says the name of an outline is none; two places of one name are two. None for a map
+/// whose only name is that of its only part: its title says it. O((outlines + labels) * parts).
 [[nodiscard]] std::vector<NamedPart> named_parts(const TactileMap& map);
+
+/// More than these find no room on paper, and telling them would fill a book.
+inline constexpr std::size_t most_sheet_parts = 200;
+
+/// Fails with one line for a map of more parts. As named_parts().
+[[nodiscard]] Result<void> check_parts(const TactileMap& map);
+
+/// The signs of title, description and names that the braille of this language lacks and writes as
+/// question marks. Fails as braille_of() does. O(texts).
+[[nodiscard]] Result<std::size_t> signs_without_braille(const TactileMap& map,
+                                                        const BrailleHand& hand);
 
 /// What was changed on the way to paper, for the reader.
 struct SheetChanges {

@@ -112,29 +112,64 @@ void StrokeGrid::add(const SheetStroke& stroke) {
     const std::vector<PaperPoint> points = sampled(stroke, reach_mm_);
     const double half_mm = stroke.width_mm / 2.0;
     if (points.size() == 1) {
-        add({points[0], points[0], half_mm, stroke.source, true, true});
-        return;
+        add({points[0], points[0], half_mm, 0.0, stroke.source, strokes_, true, true});
+    } else {
+        for (std::size_t i = 0; i + 1 < points.size(); ++i)
+            add({points[i], points[i + 1], half_mm, distance_mm(points[i], points[i + 1]),
+                 stroke.source, strokes_, !stroke.is_closed && i == 0,
+                 !stroke.is_closed && i + 2 == points.size()});
     }
-    for (std::size_t i = 0; i + 1 < points.size(); ++i)
-        add({points[i], points[i + 1], half_mm, stroke.source, !stroke.is_closed && i == 0,
-             !stroke.is_closed && i + 2 == points.size()});
+    ++strokes_;
 }
 
-NearStroke StrokeGrid::near(PaperPoint place, std::size_t without) const {
-    NearStroke found{reach_mm_, reach_mm_, false, 0};
+template <class Visit>
+void StrokeGrid::each_around(PaperPoint place, const Visit& visit) const {
     const std::size_t x = column(place.x_mm);
     const std::size_t y = row(place.y_mm);
     for (std::size_t v = y - (y > 0 ? 1 : 0); v <= std::min(y + 1, rows_ - 1); ++v)
         for (std::size_t u = x - (x > 0 ? 1 : 0); u <= std::min(x + 1, columns_ - 1); ++u)
-            for (const Segment& segment : squares_[v * columns_ + u]) {
-                if (segment.source == without) continue;
-                const double share = nearest_share(segment.from, segment.to, place);
-                const double centre = distance_mm(between(segment.from, segment.to, share), place);
-                if (centre - segment.half_mm >= found.clear_mm) continue;
-                found = {centre - segment.half_mm, centre,
-                         (share <= 0.0 && segment.from_ends) || (share >= 1.0 && segment.to_ends),
-                         segment.source};
-            }
+            for (const Segment& segment : squares_[v * columns_ + u]) visit(segment);
+}
+
+bool StrokeGrid::may_be_within(const Segment& segment, PaperPoint place, double clear_mm) {
+    const double x = segment.from.x_mm - place.x_mm;
+    const double y = segment.from.y_mm - place.y_mm;
+    const double far = clear_mm + segment.half_mm + segment.length_mm;
+    return far >= 0.0 && x * x + y * y <= far * far;
+}
+
+NearStroke StrokeGrid::nearness(const Segment& segment, PaperPoint place) {
+    const double share = nearest_share(segment.from, segment.to, place);
+    const double centre = distance_mm(between(segment.from, segment.to, share), place);
+    return {centre - segment.half_mm, centre,
+            (share <= 0.0 && segment.from_ends) || (share >= 1.0 && segment.to_ends),
+            segment.source, segment.stroke};
+}
+
+NearStroke StrokeGrid::near(PaperPoint place, std::size_t without) const {
+    NearStroke found{reach_mm_, reach_mm_, false, 0, 0};
+    each_around(place, [&](const Segment& segment) {
+        if (segment.source == without) return;
+        if (!may_be_within(segment, place, found.clear_mm)) return;
+        const NearStroke other = nearness(segment, place);
+        if (other.clear_mm < found.clear_mm) found = other;
+    });
+    return found;
+}
+
+std::vector<NearStroke> StrokeGrid::all_near(PaperPoint place, double within_mm) const {
+    std::vector<NearStroke> found;
+    each_around(place, [&](const Segment& segment) {
+        if (!may_be_within(segment, place, within_mm)) return;
+        const NearStroke other = nearness(segment, place);
+        if (!(other.clear_mm < std::min(within_mm, reach_mm_))) return;
+        const auto known = std::ranges::find(found, other.stroke, &NearStroke::stroke);
+        if (known == found.end()) {
+            found.push_back(other);
+        } else if (other.clear_mm < known->clear_mm) {
+            *known = other;
+        }
+    });
     return found;
 }
 

@@ -15,6 +15,7 @@ struct NearStroke {
     double centre_mm = 0.0;  // to its middle
     bool is_end = false;     // the nearest place is an end of an open line
     std::size_t source = 0;  // of the nearest stroke; meaningless beyond the reach
+    std::size_t stroke = 0;  // its number in the order of adding; as meaningless
 };
 
 /// Squares as wide as the reach, so that every line within it crosses one of nine.
@@ -31,16 +32,31 @@ class StrokeGrid {
     /// Without the strokes of source `without`. O(segments in nine squares).
     [[nodiscard]] NearStroke near(PaperPoint place, std::size_t without = nobody) const;
 
+    /// The nearest place of every stroke whose edge is nearer than `within_mm`, at most the reach.
+    /// O(segments in nine squares * strokes found).
+    [[nodiscard]] std::vector<NearStroke> all_near(PaperPoint place, double within_mm) const;
+
   private:
     struct Segment {
         PaperPoint from;
         PaperPoint to;
         double half_mm;
+        double length_mm;
         std::size_t source;
+        std::size_t stroke;
         bool from_ends;
         bool to_ends;
     };
 
+    /// Calls `visit` with every segment in the nine squares around the place.
+    template <class Visit>
+    void each_around(PaperPoint place, const Visit& visit) const;
+
+    /// Most segments around a place are too far to matter, and this says so without a root or a
+    /// division.
+    [[nodiscard]] static bool may_be_within(const Segment& segment, PaperPoint place,
+                                            double clear_mm);
+    [[nodiscard]] static NearStroke nearness(const Segment& segment, PaperPoint place);
     [[nodiscard]] std::size_t column(double x_mm) const;
     [[nodiscard]] std::size_t row(double y_mm) const;
     void add(const Segment& segment);
@@ -49,6 +65,7 @@ class StrokeGrid {
     std::size_t columns_;
     std::size_t rows_;
     std::vector<std::vector<Segment>> squares_;
+    std::size_t strokes_ = 0;
 };
 
 /// The distance of a point to a segment, and of two segments.

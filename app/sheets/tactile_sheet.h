@@ -19,8 +19,12 @@ struct PaperPoint {
     friend bool operator==(const PaperPoint&, const PaperPoint&) = default;
 };
 
+/// No std::hypot: layout asks for millions of distances, and none is so large or small that its
+/// square is not a number.
 [[nodiscard]] inline double distance_mm(PaperPoint a, PaperPoint b) {
-    return std::hypot(b.x_mm - a.x_mm, b.y_mm - a.y_mm);
+    const double x = b.x_mm - a.x_mm;
+    const double y = b.y_mm - a.y_mm;
+    return std::sqrt(x * x + y * y);
 }
 
 /// The point at `share` (0 ... 1) of the way.

@@ -166,6 +166,36 @@ constexpr auto rows_of_devices = std::to_array<LineRow>({
      "Let go of the handle. Its motors may still push. Turn off their power."},
 });
 
+struct PrintWords {
+    std::string_view told;
+    std::string_view staff_told;
+};
+
+constexpr std::string_view no_printer = "The printer cannot be used now. Please call the staff.";
+
+// In the order of PrintEnd.
+constexpr std::array<PrintWords, print_end_count> print_ends{{
+    {},
+    {"The printer has no paper. Please call the staff.", "The printer has no paper. Put some in."},
+    {"The printer needs care. Please call the staff.",
+     "The printer is jammed, open or without ink. Put that right."},
+    {"The printer is switched off. Please call the staff.",
+     "The printer does not answer. Switch it on and check its cable."},
+    {no_printer, "The printer is paused. Start it again in CUPS."},
+    {no_printer, "The printer takes no sheets. Let it accept jobs in CUPS."},
+    {no_printer, "CUPS has no printer of this name. Check the name in the settings."},
+    {no_printer, "CUPS cannot be reached. Start its service."},
+    {no_printer, "CUPS does not answer. Start its service again."},
+    {"The sheet was not printed. Try again, or call the staff.",
+     "The sheet was not printed. The log of CUPS says why."},
+    {"Printing took too long. Please call the staff.",
+     "Printing took too long. Check the printer."},
+    {no_printer, "CUPS keeps the sheets. Let the kiosk remove its own jobs there."},
+    {"This picture cannot be printed. Choose another one.",
+     "This picture cannot be printed. Choose another one."},
+    {part_missing, staffs_part_missing},
+}};
+
 /// True if the line holds all texts between the stars, in their order.
 bool holds(std::string_view line, std::string_view part) {
     for (;;) {
@@ -266,6 +296,12 @@ std::string told_of_device(const std::string& line, const Language& language, To
         at = stop + 2;
     }
     return said.empty() ? language.text("trouble", std::string(general)) : said;
+}
+
+std::string told_of_print(PrintEnd end, const Language& language, ToldTo to) {
+    const PrintWords& words = print_ends[static_cast<std::size_t>(end)];
+    return language.text("trouble",
+                         std::string(to == ToldTo::staff ? words.staff_told : words.told));
 }
 
 FaultWords words_of(Fault fault) {

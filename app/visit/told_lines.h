@@ -4,6 +4,7 @@
 // "trouble"; the device's sentences are in "device". Threads: constant data and pure functions.
 #pragma once
 
+#include "app/printing/print_end.h"
 #include "audio-cues/words/language.h"
 #include "config/types/hand_state.h"
 
@@ -47,6 +48,10 @@ inline constexpr std::string_view staffs_device_trouble =
 /// their numbers; or why there is no force. Empty for an empty line.
 [[nodiscard]] std::string told_of_device(const std::string& line, const Language& language,
                                          ToldTo to = ToldTo::visitor);
+
+/// Why a sheet was not printed, or what its printer lacks. Not for `printed`.
+[[nodiscard]] std::string told_of_print(PrintEnd end, const Language& language,
+                                        ToldTo to = ToldTo::visitor);
 
 /// Whole sentences in English for a person who may not see the screen. A visitor has no key that
 /// brings the force back; only the staff can end a fault.

@@ -2,6 +2,7 @@
 
 #include "app/documents/sticks/first_letters.h"
 #include "app/documents/sticks/spoken_name.h"
+#include "app/visit/told_lines.h"
 #include "app/visit/visit_work.h"
 
 #include <algorithm>
@@ -123,6 +124,19 @@ void take(VisitWork& work, const CameraChanged& change) {
     if (!change.is_there) take(work, CameraFailed{});
     if (work.visitor.path.back().screen == VisitScreen::camera) work.visitor.path.back().focus = 0;
     if (open_screen(work) == VisitScreen::camera) say_screen(work);
+}
+
+/// A sheet of a visitor who is gone is nobody's business.
+void take(VisitWork& work, const SheetEnded& ended) {
+    work.site.is_printing = false;
+    Visitor& visitor = work.visitor;
+    if (!std::exchange(visitor.awaits_sheet, false)) return;
+    if (ended.end != PrintEnd::printed && ended.end != PrintEnd::not_removed)
+        return show_trouble(work, told_of_print(ended.end, language_of(work)), std::nullopt);
+    ++visitor.sheets;
+    visitor.farewell.has_sheet = true;
+    cue(work, ScreenEvent::news);
+    say_next(work, words(work, "Your sheet is in the printer."));  // Repeat says it too
 }
 
 std::string told_arrival(const VisitWork& work, GuideKind kind) {
@@ -322,6 +336,7 @@ void end_visit(VisitWork& work, VisitScreen next) {
     const bool is_given = work.site.given && work.visitor.stick_list == work.site.given;
     Farewell farewell = work.visitor.farewell;
     farewell.has_stick = work.visitor.has_stick && !is_given;
+    farewell.has_sheet = farewell.has_sheet || work.visitor.awaits_sheet;
     farewell.felt_count = static_cast<int>(work.visitor.pictures_felt.size());
     work.visitor = new_visitor(work.site, work.world);
     work.visitor.path = {Standing{next}};

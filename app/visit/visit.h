@@ -84,6 +84,7 @@ enum class VisitItem : int {
     redo_line,
     erase_line,
     pages,
+    print_sheet,
     another_picture,
     next_picture,
     picture_before,
@@ -142,6 +143,7 @@ struct VisitRules {
     std::size_t volume_steps = 7;  // of the current output, >= 1
     bool has_camera = true;        // whether the site has a camera at all
     bool has_stick_port = true;
+    bool has_printer = false;  // for sheets to take home
     bool offers_staff = true;
     bool invites = false;  // while nobody is here, says every so often how to begin
     std::string notice;  // while closed or under maintenance, in the site's language; may be empty
@@ -204,6 +206,9 @@ struct Waiting {
     double last_said_s = 0.0;
 };
 
+/// The most sheets of one visit: swell paper is dear, and a tray is soon empty.
+inline constexpr int most_sheets = 3;
+
 /// What was said last, for captions and for repeating it. Never written to disk or to a log.
 struct Caption {
     std::string text;
@@ -235,6 +240,7 @@ struct Site {
     bool has_headphones = false;
     std::array<std::optional<std::string>, trouble_count> troubles;  // that last; as told, or empty
     bool is_staff_called = false;
+    bool is_printing = false;                // a sheet, of this visitor or of one before
     std::shared_ptr<const StickList> given;  // offered in a stick's place while there is none
     std::uint64_t request = 0;               // of the last LoadPicture
     double invited_s = 0.0;                  // when somebody who may be near was last invited
@@ -269,6 +275,7 @@ struct Farewell {
     int felt_count = 0;          // pictures
     bool has_stick = false;      // to take along
     bool has_picture = false;    // on the camera's tray
+    bool has_sheet = false;      // in the printer, or on its way there
     bool is_unanswered = false;  // nobody said that they were there
 };
 
@@ -291,6 +298,8 @@ struct Visitor {
     std::optional<Loading> loading;
     std::optional<Waiting> waiting;
     bool is_capturing = false;
+    bool awaits_sheet = false;  // that is being printed
+    int sheets = 0;             // printed in this visit
     bool has_stick = false;
     Farewell farewell;
     std::shared_ptr<const StickList> stick_list;  // none: not read yet

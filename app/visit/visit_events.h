@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/documents/sticks/listing.h"
+#include "app/printing/print_end.h"
 #include "app/visit/page_place.h"
 #include "app/visit/screen_model.h"
 #include "app/visit/visit_orders.h"
@@ -70,6 +71,11 @@ struct HandleSeen {
     bool has_moved = false;           // a hand has moved it since the last event
     double speed_m_per_s = 0.0;
     bool is_led = false;  // it moves by itself now; false while it waits for a hand
+};
+
+/// A page of the braille line was turned; at an end there was none to turn to.
+struct LineRead {
+    bool is_at_end = false;
 };
 
 struct HeadphonesChanged {
@@ -151,6 +157,11 @@ struct CameraFailed {
     std::string sentence;
 };
 
+/// The sheet that was ordered is out of the printer, or will not come.
+struct SheetEnded {
+    PrintEnd end = PrintEnd::printed;
+};
+
 /// no_force: a fault, or the force is off. other: there was nothing to guide along.
 enum class GuidanceEnd : std::uint8_t { arrived, let_go, no_force, other };
 
@@ -193,9 +204,10 @@ struct QuitAsked {};
 
 using VisitEvent =
     std::variant<Tick, KeyPressed, KeyHeld, SpeechKeyPressed, DeadKeyPressed, KnobTurned, PenStroke,
-                 DrawerKeyPressed, HandleSeen, HeadphonesChanged, StickArriving, StickCame,
-                 PicturesGiven, StickGone, PictureReady, ThingsLookedFor, PictureFailed,
-                 CameraChanged, CameraCaptured, CameraFailed, GuidanceEnded, TroubleBegan,
-                 TroubleEnded, OpeningChanged, SettingsChanged, StaffCalledOff, QuitAsked>;
+                 DrawerKeyPressed, HandleSeen, LineRead, HeadphonesChanged, StickArriving,
+                 StickCame, PicturesGiven, StickGone, PictureReady, ThingsLookedFor, PictureFailed,
+                 CameraChanged, CameraCaptured, CameraFailed, SheetEnded, GuidanceEnded,
+                 TroubleBegan, TroubleEnded, OpeningChanged, SettingsChanged, StaffCalledOff,
+                 QuitAsked>;
 
 }  // namespace touchline

@@ -120,6 +120,9 @@ struct CameraPreview {
 
 struct Capture {};
 
+/// What is felt goes to the site's printer. Answered by SheetEnded; no second one before that.
+struct PrintSheet {};
+
 struct GiveStickBack {};  // let go of the stick: no more reading
 
 /// The visit is over: picture, texts, file list and transcript are overwritten.
@@ -154,9 +157,10 @@ struct CallStaff {
 /// The kiosk ends.
 struct Quit {};
 
-using VisitOrder = std::variant<Utterance, Hush, HoldSpeech, GiveCue, GivePattern, LoadPicture,
-                                CancelLoad, FeelDrawing, Feel, Guide, CameraPreview, Capture,
-                                GiveStickBack, Wipe, SoundWanted, LookWanted, CallStaff, Quit>;
+using VisitOrder =
+    std::variant<Utterance, Hush, HoldSpeech, GiveCue, GivePattern, LoadPicture, CancelLoad,
+                 FeelDrawing, Feel, Guide, CameraPreview, Capture, PrintSheet, GiveStickBack, Wipe,
+                 SoundWanted, LookWanted, CallStaff, Quit>;
 
 using VisitOrders = std::vector<VisitOrder>;
 

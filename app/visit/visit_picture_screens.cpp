@@ -309,6 +309,28 @@ void turn_back(VisitWork& work) {
     turn_to(work, [](double /*steps*/) { return 0.0; });
 }
 
+bool is_printable(const VisitSheet& sheet) {
+    return sheet.world.rules.has_printer && has_outline(sheet);
+}
+
+std::string told_printing(const VisitSheet& sheet) {
+    return sheet.visitor().awaits_sheet ? sheet.words("being printed") : std::string();
+}
+
+/// The visit goes on meanwhile.
+void print_sheet(VisitWork& work) {
+    if (work.visitor.awaits_sheet) return say(work, words(work, "Your sheet is being printed."));
+    if (work.site.is_printing)
+        return say(work, words(work, "The printer is busy. Please try again in a minute."));
+    if (work.visitor.sheets >= most_sheets)
+        return say(work, words(work, "One visit can print {0} sheets, and no more.",
+                               {language_of(work).number(most_sheets, 0)}));
+    work.site.is_printing = true;
+    work.visitor.awaits_sheet = true;
+    order(work, PrintSheet{});
+    say(work, words(work, "Printing. You can carry on meanwhile."));
+}
+
 /// Opens the list that the picture came from.
 void choose_another(VisitWork& work) {
     const LoadPicture felt = work.visitor.felt->order;
@@ -413,6 +435,8 @@ constexpr auto picture_items = std::to_array<VisitItemRow>({
      }},
     {S::picture, I::undo, "Undo the last change", undo, nullptr,
      [](const VisitSheet& sheet) { return sheet.visitor().before.has_value(); }, told_last_change},
+    {S::picture, I::print_sheet, "Print to take home", print_sheet,
+     "A sheet with its lines and words comes out of the printer.", is_printable, told_printing},
     {S::picture, I::another_picture, "Take another photo", choose_another, nullptr, is_photo},
     {S::picture, I::another_picture, "Another picture", choose_another, nullptr,
      [](const VisitSheet& sheet) { return !is_photo(sheet); }},

@@ -186,6 +186,7 @@ void write_goodbye(VisitSheet& sheet) {
         sheet.told(sheet.language.counted("visit", "You felt {0} picture.",
                                           "You felt {0} pictures.", farewell.felt_count));
     if (farewell.has_picture) sheet.sentence("Take your picture from the tray.");
+    if (farewell.has_sheet) sheet.sentence("Take your sheet from the printer.");
     if (farewell.has_stick) sheet.sentence("Take your USB stick with you.");
     sheet.sentence("If you brought headphones, take them with you.");
     sheet.sentence("Nothing about you is kept here.");

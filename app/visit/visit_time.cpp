@@ -293,6 +293,20 @@ bool stop_leading(VisitWork& work) {
     return true;
 }
 
+namespace {
+
+/// Somebody is there, though no key was pressed: the visit goes on. Returns true if that answered
+/// the question.
+bool keep_visit(VisitWork& work) {
+    work.visitor.active_s = work.site.now_s;
+    if (open_screen(work) != VisitScreen::question) return false;
+    work.visitor.pulled_s.reset();
+    uncover(work, words(work, "You have more time."));
+    return true;
+}
+
+}  // namespace
+
 void take(VisitWork& work, const HandleSeen& handle) {
     Visitor& visitor = work.visitor;
     if (handle.part != visitor.handle.part) visitor.part_since_s = work.site.now_s;
@@ -301,15 +315,17 @@ void take(VisitWork& work, const HandleSeen& handle) {
     visitor.has_touched = visitor.has_touched || handle.part.has_value();
     if (visitor.has_touched && keep_whole(work)) tell_things(work);
     const bool is_hand = handle.has_moved && !handle.is_led;
-    if (is_hand) visitor.active_s = work.site.now_s;
     if (is_hand && is_on_line(visitor)) note_felt(visitor);
-    const VisitScreen screen = open_screen(work);
-    if (is_hand && screen == VisitScreen::attract) return begin_visit(work);
-    if (is_hand && screen == VisitScreen::question) {
-        visitor.pulled_s.reset();
-        return uncover(work, words(work, "You have more time."));
-    }
+    if (is_hand && open_screen(work) == VisitScreen::attract) return begin_visit(work);
+    if (is_hand && keep_visit(work)) return;
     name_part(work);
+}
+
+void take(VisitWork& work, const LineRead& read) {
+    if (!is_visit_on(visit_of(work))) return;
+    if (keep_visit(work) || !read.is_at_end) return;
+    cue(work, ScreenEvent::list_end);
+    shake(work, HandlePattern::edge);
 }
 
 void take(VisitWork& work, const KnobTurned& knob) {

@@ -58,6 +58,12 @@ bool is_name(std::string_view text) {
            });
 }
 
+/// As CUPS has them.
+bool is_queue(std::string_view text) {
+    constexpr std::size_t longest = 127;
+    return is_line(text, longest) && text.find_first_of(" /#?'\"\\") == std::string_view::npos;
+}
+
 bool is_hours(std::string_view text) {
     return hours_in(text).has_value();
 }
@@ -81,7 +87,7 @@ struct TextRule {
 };
 
 /// In the order of TextKind.
-constexpr std::array<TextRule, 8> text_rules{
+constexpr std::array<TextRule, 9> text_rules{
     {{is_path, "a path that begins with /, or \"\" for none"},
      {is_device, "a path that begins with /dev/input/, or \"\" for none"},
      {is_hours, "two times like \"09:00-17:00\""},
@@ -89,8 +95,9 @@ constexpr std::array<TextRule, 8> text_rules{
      {are_languages, "codes of languages like \"en de fr\""},
      {is_code, "the code of a language like \"en\""},
      {is_notice, "a line of at most 200 bytes, or \"\" for none"},
-     {is_name, "a name of small letters, digits and \"-\", or \"\" for none"}}};
-static_assert(static_cast<std::size_t>(TextKind::name) + 1 == text_rules.size());
+     {is_name, "a name of small letters, digits and \"-\", or \"\" for none"},
+     {is_queue, "the name of a printer in CUPS, or \"\" for none"}}};
+static_assert(static_cast<std::size_t>(TextKind::queue) + 1 == text_rules.size());
 
 std::string short_number(double value) {
     std::array<char, 32> text{};

@@ -21,7 +21,8 @@ enum class SettingLayer : std::uint8_t { defaults, site, profile, session };
 using SettingField =
     std::variant<bool Settings::*, int Settings::*, double Settings::*, std::string Settings::*,
                  Mode Settings::*, CueAmount Settings::*, SwitchUse Settings::*,
-                 TextSize Settings::*, PaletteName Settings::*>;
+                 BrailleUse Settings::*, TextSize Settings::*, PaletteName Settings::*,
+                 SheetKind Settings::*>;
 
 /// Hard bounds: no file and no screen may exceed them. NaN is in no range.
 struct SettingRange {
@@ -40,7 +41,8 @@ enum class TextKind : std::uint8_t {
     languages,
     language,
     notice,
-    name
+    name,
+    queue
 };
 
 struct SettingRow {

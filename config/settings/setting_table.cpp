@@ -11,7 +11,9 @@ using Names = std::array<std::string_view, 4>;
 constexpr Names modes{"wall", "groove", "ridge", "stay"};
 constexpr std::array<std::string_view, 3> amounts{"none", "short", "all"};
 constexpr std::array<std::string_view, 3> switches{"off", "move and select", "by itself"};
+constexpr std::array<std::string_view, 3> braille_uses{"off", "uncontracted", "contracted"};
 constexpr Names text_sizes{"standard", "large", "larger", "largest"};
+constexpr std::array<std::string_view, 3> sheets{"A4", "letter", "braille"};
 constexpr Names palettes{"light on dark", "dark on light", "warm on dark", "low glare"};
 
 // The names are in the order of the enumeration.
@@ -32,8 +34,9 @@ constexpr SettingRow number_row(std::string_view table, std::string_view key, Se
 
 constexpr SettingRow choice_row(std::string_view table, std::string_view key, SettingField field,
                                 std::span<const std::string_view> choices, std::string_view name,
-                                std::string_view help) {
-    return {table, key, field, {}, choices, name, "", help};
+                                std::string_view help,
+                                SettingLayer last_layer = SettingLayer::session) {
+    return {table, key, field, {}, choices, name, "", help, last_layer};
 }
 
 constexpr SettingRow text_row(std::string_view table, std::string_view key,
@@ -85,6 +88,8 @@ constexpr auto all_rows = [] {
                  "Languages on offer", "What a visitor can choose from, in this order.", profile),
         text_row("language", "first", &Settings::first_language, TextKind::language,
                  "First language", "Every visit begins in this language.", profile),
+        choice_row("language", "braille", &Settings::braille, braille_uses, "Braille display",
+                   "How texts are written on a braille display that is plugged in."),
         number_row("time", "inactivity_s", &Settings::inactivity_s, {30.0, 1800.0, 30.0},
                    "Time without a key press", "seconds",
                    "After this time the kiosk asks whether somebody is there.", profile),
@@ -148,6 +153,11 @@ constexpr auto all_rows = [] {
         text_row("stick", "watched_folder", &Settings::watched_folder, TextKind::path,
                  "Folder in place of a USB stick",
                  "A path, for a machine without udisks2. If empty, USB sticks are read.", site),
+        text_row("print", "printer", &Settings::printer, TextKind::queue,
+                 "Printer for sheets to take home",
+                 "Its name in CUPS. If empty, no sheets are printed.", site),
+        choice_row("print", "sheet", &Settings::sheet, sheets, "Kind of sheet",
+                   "Swell paper of size A4 or letter, or braille for an embosser.", site),
         text_row("operator", "device", &Settings::operator_device, TextKind::device,
                  "Keyboard of the operator",
                  "Only its keys open these screens. If empty, any keyboard does.", site)};

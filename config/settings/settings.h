@@ -35,6 +35,7 @@ struct Settings {
     // language
     std::string languages = "en de fr es it";  // codes, in the order in which they are offered
     std::string first_language = "en";         // one of them
+    BrailleUse braille = BrailleUse::uncontracted;
     // time
     double inactivity_s = 90.0;
     double answer_s = 30.0;
@@ -68,6 +69,9 @@ struct Settings {
     // stick
     bool more_file_systems = false;  // ext4 and NTFS besides FAT and exFAT
     std::string watched_folder;
+    // print
+    std::string printer;  // a queue of CUPS; empty: no sheets to take home
+    SheetKind sheet = SheetKind::a4;
     // operator
     std::string operator_device;
 

@@ -28,6 +28,12 @@ enum class PaletteName : std::uint8_t {
 /// How a braille line is written; off: no line is looked for.
 enum class BrailleUse : std::uint8_t { off, uncontracted, contracted };
 
+/// What the site's printer is given: swell paper of one of two sizes, or text for an embosser. The
+/// first is the default.
+enum class SheetKind : std::uint8_t { a4, letter, embosser };
+
+inline constexpr int sheet_kind_count = 3;
+
 /// The language in which a text is wanted, tagged as BCP 47 and SVG's xml:lang do: "en", "de",
 /// "pt-BR". Any text is a tag: a language without texts gets what exists. Empty means English. The
 /// tag comes from the person who chose a language, never from the process's locale.

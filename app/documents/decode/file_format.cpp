@@ -101,6 +101,15 @@ FileFormat packed_format(Bytes bytes) {
 constexpr int least_dpi = 30;
 constexpr int most_dpi = 600;
 
+/// By its signs alone, for any text of these is a tag. BCP 47 has none that needs more than 35.
+bool is_language_tag(std::string_view text) {
+    constexpr std::size_t most_signs = 35;
+    return text.size() <= most_signs && std::ranges::all_of(text, [](char c) {
+               return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                      c == '-';
+           });
+}
+
 }  // namespace
 
 FileFormat format_of(Bytes bytes) {
@@ -145,17 +154,17 @@ std::string program_for(WorkerKind kind) {
 
 std::vector<std::string> arguments_of(const DecodeWork& work) {
     return {std::to_string(static_cast<int>(work.kind)), std::to_string(work.order.page),
-            std::to_string(work.order.dpi)};
+            std::to_string(work.order.dpi), work.order.language.text};
 }
 
 Result<DecodeWork> work_in(std::span<const std::string> arguments) {
     const auto wrong = failure("not what the kiosk starts it with");
-    if (arguments.size() != 3) return wrong;
+    if (arguments.size() != 4) return wrong;
     const auto kind = number_in(arguments[0], 0, worker_kind_count - 1);
     const auto page = number_in(arguments[1], 1, max_pages);
     const auto dpi = number_in(arguments[2], least_dpi, most_dpi);
-    if (!kind || !page || !dpi) return wrong;
-    return DecodeWork{static_cast<WorkerKind>(*kind), {*page, *dpi}};
+    if (!kind || !page || !dpi || !is_language_tag(arguments[3])) return wrong;
+    return DecodeWork{static_cast<WorkerKind>(*kind), {*page, *dpi, {arguments[3]}}};
 }
 
 }  // namespace touchline

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/isolation/sandbox/limits.h"
+#include "config/types/choices.h"
 #include "config/types/result.h"
 
 #include <algorithm>
@@ -73,8 +74,9 @@ inline constexpr std::array file_formats{
 [[nodiscard]] FileFormat format_of(std::span<const std::byte> bytes);
 
 struct PageOrder {
-    int page = 1;   // 1 ... max_pages
-    int dpi = 150;  // for documents without pixels of their own, 30 ... 600
+    int page = 1;               // 1 ... max_pages
+    int dpi = 150;              // for documents without pixels of their own, 30 ... 600
+    LanguageTag language = {};  // of an SVG's words, if it has them in several
 };
 
 /// The kind of worker that opens the file, by its first bytes.

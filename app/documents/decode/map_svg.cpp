@@ -231,19 +231,20 @@ Result<TactileMap> parse_map_svg(std::string_view text, const LanguageTag& langu
     return decode::parse_or_say_why(text, language, nullptr);
 }
 
-Result<TactileMap> parse_own_map(std::string_view text, const Area& area) {
-    return decode::parse_or_say_why(text, {}, &area);
+Result<TactileMap> parse_own_map(std::string_view text, const Area& area,
+                                 const LanguageTag& language) {
+    return decode::parse_or_say_why(text, language, &area);
 }
 
 Result<std::optional<int>> difficulty_of_map_svg(std::string_view text) {
     return decode::difficulty_in(text);
 }
 
-SvgWords words_of_svg(std::string_view text) {
+SvgWords words_of_svg(std::string_view text, const LanguageTag& language) {
     pugi::xml_document document;
     const auto root = decode::root_in(text, document);
     if (!root) return {};
-    return {decode::words_in(*root, "title", {}), decode::words_in(*root, "desc", {})};
+    return {decode::words_in(*root, "title", language), decode::words_in(*root, "desc", language)};
 }
 
 Result<TactileMap> read_map_svg(const std::string& path, const LanguageTag& language) {

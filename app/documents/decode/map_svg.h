@@ -56,16 +56,17 @@ constexpr std::size_t max_map_points = 4'000'000;
 /// Reads a map of Touchline's own, as format_map_svg() and the gallery write them: in millimetres,
 /// no larger than `area`, with a data-detail on an outline or a data-difficulty. Fails for every
 /// other SVG, which is a picture and is felt as it is painted. As parse_map_svg().
-[[nodiscard]] Result<TactileMap> parse_own_map(std::string_view text, const Area& area);
+[[nodiscard]] Result<TactileMap> parse_own_map(std::string_view text, const Area& area,
+                                               const LanguageTag& language = {});
 
-/// Title and description of an SVG in English or in no language, else in the first language there
-/// is. White space is collapsed. Empty if it has none.
+/// Title and description of an SVG in `language` or in none, else in the first language there is.
+/// White space is collapsed. Empty if it has none.
 struct SvgWords {
     std::string title;
     std::string description;
 };
 
-[[nodiscard]] SvgWords words_of_svg(std::string_view text);
+[[nodiscard]] SvgWords words_of_svg(std::string_view text, const LanguageTag& language = {});
 
 /// read_file and parse_map_svg; errors start with the path.
 [[nodiscard]] Result<TactileMap> read_map_svg(const std::string& path,

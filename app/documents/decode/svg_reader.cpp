@@ -227,12 +227,13 @@ std::optional<Framing> framing_of(RsvgHandle* handle) {
     return framing;
 }
 
-TactileMap told_by(std::string_view text, const Picture& picture) {
-    if (auto own = parse_own_map(text, Area{}); own && point_count(*own) <= MapLimits::points)
+TactileMap told_by(std::string_view text, const Picture& picture, const LanguageTag& language) {
+    if (auto own = parse_own_map(text, Area{}, language);
+        own && point_count(*own) <= MapLimits::points)
         return std::move(*own);
     TactileMap told;
     told.area = told_area(picture);
-    SvgWords words = words_of_svg(text);
+    SvgWords words = words_of_svg(text, language);
     told.title = of_a_person(std::move(words.title));
     told.description = of_a_person(std::move(words.description));
     return told;
@@ -288,7 +289,7 @@ Result<Page> read_svg(Bytes bytes, const PageOrder& order) {
     return sheet.picture().map([&](Picture picture) {
         Page page;
         page.picture = std::move(picture);
-        page.told = told_by(*text, page.picture);
+        page.told = told_by(*text, page.picture, order.language);
         if (page.told.outlines.empty()) add_texts(handle.get(), source.texts, *framing, page);
         return page;
     });

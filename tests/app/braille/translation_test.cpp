@@ -359,5 +359,13 @@ TEST(BrailleAscii, IsTheNorthAmericanTable) {
     EXPECT_EQ(*all.rbegin(), '_');
 }
 
+TEST(BrailleTranslation, TellsHowManySignsItLacks) {
+    const auto lacking = [](std::string_view text) {
+        return braille_of(text, "en", BrailleGrade::uncontracted).value().question_marks;
+    };
+    EXPECT_EQ(lacking("A house? Yes, caf\u00e9."), 0U);
+    EXPECT_EQ(lacking("\u16a0\u16a2 and \u9c7c?"), 3U);
+}
+
 }  // namespace
 }  // namespace touchline

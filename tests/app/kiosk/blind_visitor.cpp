@@ -12,11 +12,6 @@ namespace {
 
 constexpr int longest_list = 80;
 
-/// Returns true if any line of what was said begins with this item; a sentence says its item first.
-bool names(const std::string& heard, const std::string& item) {
-    return ("\n" + heard).find("\n" + item) != std::string::npos;
-}
-
 constexpr double felt_frame_s = 1.0 / 60.0;
 constexpr double hand_m_per_s = 0.04;
 
@@ -47,23 +42,82 @@ Push push(KioskWorld& world, Position meant_W, Position along) {
 
 }  // namespace
 
+BlindVisitor::BlindVisitor(KioskWorld& world, double pause_s, Sense sense)
+    : world_(world), pause_s_(pause_s), sense_(sense) {
+    world_.line().is_plugged_in = sense == Sense::fingers;
+}
+
 void BlindVisitor::press(KeyRole role) {
     since_ = world_.heard().things.size();
+    read_.clear();
+    shakes_ = world_.servo().commands().pattern.serial;
+    const std::string page_before = world_.line().page();
     const double pressed_s = world_.now_s();
-    world_.press(role);
+    if (sense_ == Sense::ears) {
+        world_.press(role);
+    } else {
+        world_.line().press(role);
+        world_.run(0.01);
+    }
     ++keys_;
-    const bool has_answer = world_.heard().things.size() > since_;
-    const double answer_s = has_answer ? world_.heard().things[since_].at_s - pressed_s : 1e9;
+    double answer_s = 1e9;
+    if (sense_ == Sense::ears && world_.heard().things.size() > since_)
+        answer_s = world_.heard().things[since_].at_s - pressed_s;
+    if (sense_ == Sense::fingers && is_answered(page_before)) answer_s = world_.now_s() - pressed_s;
     slowest_answer_s_ = std::max(slowest_answer_s_, answer_s);
     world_.run(pause_s_);
+    if (sense_ == Sense::fingers) read_on();
+}
+
+/// Hands know of it by the line or the handle.
+bool BlindVisitor::is_answered(const std::string& page_before) const {
+    return world_.line().page() != page_before ||
+           world_.servo().commands().pattern.serial != shakes_;
+}
+
+void BlindVisitor::read_page() {
+    page_ = world_.line().page();
+    read_ += (world_.line().is_beginning() ? '\n' : ' ') + page_;
+}
+
+/// Reads the page that is there, and those after it.
+void BlindVisitor::read_on() {
+    constexpr double page_s = 0.4;
+    constexpr int most_pages = 100;
+    read_page();
+    for (int i = 0; i < most_pages; ++i) {
+        world_.line().turn(LineTurn::on);
+        const bool is_end = std::get<LineTurned>(world_.line().events.back()).is_at_end;
+        world_.run(page_s);
+        if (is_end && world_.line().page() == page_) return;
+        read_page();
+    }
+    FAIL() << "the line has no end: " << read_;
+}
+
+std::string BlindVisitor::heard() const {
+    return sense_ == Sense::ears ? world_.heard().text_since(since_) : read_;
+}
+
+std::string BlindVisitor::as_heard(const std::string& words) const {
+    return sense_ == Sense::ears ? words : as_read(words, world_.kiosk().language().code());
+}
+
+bool BlindVisitor::has_heard(const std::string& words) const {
+    return heard().find(as_heard(words)) != std::string::npos;
+}
+
+/// Whether any text begins with this item; a sentence says its item first.
+bool BlindVisitor::has_item(const std::string& item) const {
+    return ("\n" + heard()).find("\n" + as_heard(item)) != std::string::npos;
 }
 
 bool BlindVisitor::find(const std::string& item) {
     for (int i = 0; i < longest_list; ++i) {
-        if (names(heard(), item)) return true;
+        if (has_item(item)) return true;
         press(KeyRole::down);
     }
-    return names(heard(), item);
+    return has_item(item);
 }
 
 bool BlindVisitor::choose(const std::string& item) {
@@ -85,7 +139,7 @@ bool BlindVisitor::choose_picture(const std::string& name) {
         const std::string place = now.items[*now.focus].place.value_or("");
         const bool is_picture = place.starts_with(of_picture);
         const bool is_way_out = place.empty();
-        if (is_way_out || (is_picture && !names(heard(), name))) continue;
+        if (is_way_out || (is_picture && !has_item(name))) continue;
         press(KeyRole::select);
         if (is_picture || choose_picture(name)) return true;
         press(KeyRole::back);
@@ -95,8 +149,9 @@ bool BlindVisitor::choose_picture(const std::string& name) {
 
 bool BlindVisitor::wait_for(const std::string& words, double most_s) {
     for (double waited_s = 0.0; waited_s < most_s; waited_s += 0.25) {
-        if (heard().find(words) != std::string::npos) return true;
+        if (has_heard(words)) return true;
         world_.run(0.25);
+        if (sense_ == Sense::fingers && world_.line().page() != page_) read_on();
     }
     return false;
 }

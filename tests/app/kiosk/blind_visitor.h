@@ -1,7 +1,7 @@
-// Who is at the kiosk in a test: a visitor who knows only what was said, presses one of six keys
-// and moves the handle; an operator who does the same, also while a visit runs; and a hand that
-// feels the walls of a picture of the gallery: the force that the simulated motors make and the
-// true place of the tip. Threads: one.
+// Who is at the kiosk in a test: a visitor who knows only what was said, or what stood on the
+// braille line, presses one of six keys and moves the handle; an operator who does the same, also
+// while a visit runs; and a hand that feels the walls of a picture of the gallery: the force that
+// the simulated motors make and the true place of the tip. Threads: one.
 #pragma once
 
 #include "tests/app/kiosk/kiosk_world.h"
@@ -11,11 +11,14 @@
 
 namespace touchline {
 
+/// By which words reach a visitor. fingers: reads all that can be paged to after each key, and has
+/// no other keys than those of the display.
+enum class Sense : unsigned char { ears, fingers };
+
 class BlindVisitor {
   public:
     /// `pause_s`: the time between two keys.
-    explicit BlindVisitor(KioskWorld& world, double pause_s = 0.5)
-        : world_(world), pause_s_(pause_s) {}
+    explicit BlindVisitor(KioskWorld& world, double pause_s = 0.5, Sense sense = Sense::ears);
 
     /// Goes down the list until an item begins with these words as it is said. Returns false if the
     /// list came round without one.
@@ -29,8 +32,11 @@ class BlindVisitor {
 
     void press(KeyRole role);
 
-    /// Returns all that was said since the last key.
-    [[nodiscard]] std::string heard() const { return world_.heard().text_since(since_); }
+    /// Returns all that was said since the last key; by fingers, what was read since, in braille.
+    [[nodiscard]] std::string heard() const;
+
+    /// Whether these words were among it.
+    [[nodiscard]] bool has_heard(const std::string& words) const;
 
     /// Waits until something with these words is said. Returns false if that takes longer.
     [[nodiscard]] bool wait_for(const std::string& words, double most_s = 20.0);
@@ -41,8 +47,18 @@ class BlindVisitor {
     [[nodiscard]] int keys() const { return keys_; }
 
   private:
+    [[nodiscard]] bool has_item(const std::string& item) const;
+    [[nodiscard]] std::string as_heard(const std::string& words) const;
+    [[nodiscard]] bool is_answered(const std::string& page_before) const;
+    void read_page();
+    void read_on();
+
     KioskWorld& world_;
     double pause_s_;
+    Sense sense_;
+    std::string read_;
+    std::string page_;          // read last
+    std::uint32_t shakes_ = 0;  // of the handle, before the last key
     std::size_t since_ = 0;
     double slowest_answer_s_ = 0.0;
     int keys_ = 0;

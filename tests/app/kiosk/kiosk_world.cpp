@@ -47,6 +47,7 @@ KioskWorld::KioskWorld(bool is_in_window, Gallery gallery, ThingFinder finder,
     parts.gallery = std::move(gallery);
     parts.servo = std::move(servo);
     parts.sound = make_sound ? make_sound(heard_) : std::make_unique<HeardSound>(heard_);
+    parts.braille = std::make_unique<ReadBraille>(line_);
     parts.profile = default_profile();
     parts.loader = std::make_unique<Loader>(
         std::make_shared<const KioskStages>(parts.profile, PageReader(), std::move(finder)),
@@ -55,6 +56,12 @@ KioskWorld::KioskWorld(bool is_in_window, Gallery gallery, ThingFinder finder,
                                                  companion("touchline-import"));
     parts.photos = std::make_unique<PhotoCapture>(
         std::make_unique<FolderCamera>(folder_ / "camera", read_bgr));
+    parts.printer = std::make_unique<SheetPrinter>(
+        Printing{[this](const TactileMap& map, const PrintOrder& order,
+                        const std::stop_token& stop) { return printing.print(map, order, stop); },
+                 [this](const std::string& queue, const std::stop_token& stop) {
+                     return printing.check(queue, stop);
+                 }});
     std::vector<std::string> problems;
     parts.operator_session =
         std::make_unique<OperatorSession>(site_files(), parts.languages, problems);
@@ -80,7 +87,7 @@ void KioskWorld::run(double for_s) {
     const double end_s = now_s_ + for_s;
     while (now_s_ < end_s) {
         now_s_ += frame_s;
-        heard_->now_s = now_s_;
+        heard_->now_s = line_->now_s = now_s_;
         servo_->run_until(now_s_);
         kiosk_->step(static_cast<std::int64_t>(1e9 * now_s_));
     }

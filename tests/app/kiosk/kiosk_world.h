@@ -5,6 +5,7 @@
 #include "app/kiosk/kiosk.h"
 #include "app/kiosk/loading/kiosk_stages.h"
 #include "config/types/pinned.h"
+#include "tests/app/kiosk/read_line.h"
 #include "tests/app/kiosk/stepped_servo.h"
 #include "tests/machines/sim/kiosk/house.h"
 
@@ -46,6 +47,9 @@ class KioskWorld : private Pinned {
 
     [[nodiscard]] Heard& heard() { return *heard_; }
 
+    /// The kiosk's braille line. It is not plugged in at first.
+    [[nodiscard]] ReadLine& line() { return *line_; }
+
     [[nodiscard]] SteppedServo& servo() { return *servo_; }
 
     [[nodiscard]] Kiosk& kiosk() { return *kiosk_; }
@@ -55,6 +59,12 @@ class KioskWorld : private Pinned {
     /// The operator's files, in a folder of this world.
     [[nodiscard]] OperatorFiles site_files() const;
 
+    /// The site's printer, once the settings name one. Called on another thread.
+    Printing printing{[](const TactileMap&, const PrintOrder&, const std::stop_token&) {
+                          return PrintEnd::printed;
+                      },
+                      [](const std::string&, const std::stop_token&) { return PrintEnd::printed; }};
+
     int minute_of_day = 12 * 60;
     std::chrono::sys_days today{std::chrono::year(2026) / 3 / 1};
 
@@ -62,6 +72,7 @@ class KioskWorld : private Pinned {
     double now_s_ = 0.0;
     std::filesystem::path folder_;
     std::shared_ptr<Heard> heard_ = std::make_shared<Heard>();
+    std::shared_ptr<ReadLine> line_ = std::make_shared<ReadLine>();
     SteppedServo* servo_ = nullptr;  // owned by the kiosk
     std::unique_ptr<Kiosk> kiosk_;
 };

@@ -1,4 +1,4 @@
-// Tests whole visits: by the transcript alone, slowly, with two switches, in every language,
+// Tests whole visits: by ears or fingers alone, slowly, with two switches, in every language,
 // rudely.
 #include "app/documents/gallery/gallery.h"
 #include "tests/app/documents/decode/files_of_formats.h"
@@ -53,7 +53,7 @@ void begin(BlindVisitor& visitor) {
 void to_choices(BlindVisitor& visitor, const std::string& title = "What to feel") {
     for (int i = 0; i < 4; ++i) {
         visitor.press(KeyRole::back);
-        if (visitor.heard().find(title) != std::string::npos) return;
+        if (visitor.has_heard(title)) return;
     }
     FAIL() << visitor.heard();
 }
@@ -74,9 +74,17 @@ void feel_gallery_picture(KioskWorld& world, BlindVisitor& visitor) {
     EXPECT_GT(traced_share(world), 0.9);
 }
 
-TEST(WholeVisit, BlindByTheTranscriptAloneToThreePictures) {
+/// Who hears alone, and who reads the braille line alone: neither sound nor screen is of use.
+class WholeVisitBy : public testing::TestWithParam<Sense> {};
+
+INSTANTIATE_TEST_SUITE_P(HA3, WholeVisitBy, testing::Values(Sense::ears, Sense::fingers),
+                         [](const auto& sense) {
+                             return sense.param == Sense::ears ? "ears" : "fingers";
+                         });
+
+TEST_P(WholeVisitBy, TheWordsAloneToThreePictures) {
     KioskWorld world;
-    BlindVisitor visitor(world);
+    BlindVisitor visitor(world, 0.5, GetParam());
     begin(visitor);
     feel_gallery_picture(world, visitor);
 
@@ -99,9 +107,9 @@ TEST(WholeVisit, BlindByTheTranscriptAloneToThreePictures) {
 }
 
 /// A key every 25 s and an idle handle: a visitor who answers is never sent away.
-TEST(WholeVisit, SlowlyAndWithTheHandleIdle) {
+TEST_P(WholeVisitBy, SlowlyAndWithTheHandleIdle) {
     KioskWorld world;
-    BlindVisitor visitor(world, 25.0);
+    BlindVisitor visitor(world, 25.0, GetParam());
     begin(visitor);
     ASSERT_TRUE(visitor.choose("Practice shape")) << visitor.heard();
     EXPECT_GT(world.servo().felt_count, 0);
@@ -127,11 +135,11 @@ TEST(WholeVisit, DeafByCaptionsAndTheHandle) {
     EXPECT_LE(world.servo().most_force_N, 3.0);
 }
 
-TEST(WholeVisit, InEveryLanguage) {
+TEST_P(WholeVisitBy, InEveryLanguage) {
     for (const Language& language : all_languages()) {
         SCOPED_TRACE(language.name());
         KioskWorld world;
-        BlindVisitor visitor(world);
+        BlindVisitor visitor(world, 0.5, GetParam());
         visitor.press(KeyRole::select);
         ASSERT_TRUE(visitor.choose(language.name())) << visitor.heard();
         const std::string code = world.kiosk().language().code();
@@ -153,14 +161,14 @@ std::string title_of(const std::string& ending, const Language& language) {
     return {};
 }
 
-TEST(WholeVisit, PracticeAndGallerySpeakTheVisitorsLanguage) {
+TEST_P(WholeVisitBy, PracticeAndGalleryAreInTheVisitorsLanguage) {
     for (const Language& language : all_languages()) {
         SCOPED_TRACE(language.name());
         const auto words = [&language](const char* english) {
             return language.text("visit", english);
         };
         KioskWorld world;
-        BlindVisitor visitor(world);
+        BlindVisitor visitor(world, 0.5, GetParam());
         visitor.press(KeyRole::select);
         ASSERT_TRUE(visitor.choose(language.name())) << visitor.heard();
         ASSERT_TRUE(visitor.choose(words("Practice shape"))) << visitor.heard();
@@ -258,7 +266,7 @@ TEST(WholeVisit, WithOneSwitch) {
     EXPECT_TRUE(world.heard().was_said("Goodbye", led));
 }
 
-TEST(WholeVisit, ThroughAPdfOfManyPages) {
+TEST_P(WholeVisitBy, ThroughAPdfOfManyPages) {
     constexpr int pages = 12;
     KioskWorld world;
     const encoders::Bytes pdf =
@@ -266,7 +274,7 @@ TEST(WholeVisit, ThroughAPdfOfManyPages) {
     std::ofstream(world.folder() / "tales.pdf", std::ios::binary)
         .write(reinterpret_cast<const char*>(pdf.data()), static_cast<std::streamsize>(pdf.size()));
     world.put_stick({world.folder() / "tales.pdf"});
-    BlindVisitor visitor(world);
+    BlindVisitor visitor(world, 0.5, GetParam());
     begin(visitor);
     ASSERT_TRUE(visitor.choose("Your USB stick, 1 picture")) << visitor.heard();
     ASSERT_TRUE(visitor.choose("tales")) << visitor.heard();
@@ -284,9 +292,9 @@ TEST(WholeVisit, ThroughAPdfOfManyPages) {
     finish(world, visitor);
 }
 
-TEST(WholeVisit, ResetAndStartOverByEar) {
+TEST_P(WholeVisitBy, ResetAndStartOver) {
     KioskWorld world;
-    BlindVisitor visitor(world);
+    BlindVisitor visitor(world, 0.5, GetParam());
     begin(visitor);
     feel_gallery_picture(world, visitor);
     to_choices(visitor);
@@ -303,7 +311,7 @@ TEST(WholeVisit, ResetAndStartOverByEar) {
     EXPECT_FALSE(world.servo().picture().map->outlines.empty());
     ASSERT_TRUE(visitor.choose("Start over")) << visitor.heard();
     ASSERT_TRUE(visitor.choose("Yes")) << visitor.heard();
-    EXPECT_NE(visitor.heard().find("Pictures to feel"), std::string::npos) << visitor.heard();
+    EXPECT_TRUE(visitor.has_heard("Pictures to feel")) << visitor.heard();
     EXPECT_TRUE(world.servo().picture().map->outlines.empty()) << "nothing stays";
     ASSERT_TRUE(visitor.choose("English")) << visitor.heard();
     ASSERT_TRUE(visitor.wait_for("What to feel")) << visitor.heard();
@@ -350,7 +358,7 @@ std::map<fs::path, std::string> files_below(const fs::path& folder) {
     return files;
 }
 
-TEST(WholeVisit, TI4_NothingOfAVisitorIsInAnyFileAfterwards) {
+TEST_P(WholeVisitBy, TI4_NothingOfAVisitorIsInAnyFileAfterwards) {
     KioskWorld world;
     const fs::path home = fs::path(testing::TempDir()) / ("home-" + std::to_string(getpid()));
     fs::remove_all(home);
@@ -360,7 +368,7 @@ TEST(WholeVisit, TI4_NothingOfAVisitorIsInAnyFileAfterwards) {
         setenv(name, home.c_str(), 1);
     world.put_stick({pictures / "07-house.svg"});
     const auto before = files_below(world.folder() / "stick");
-    BlindVisitor visitor(world);
+    BlindVisitor visitor(world, 0.5, GetParam());
     begin(visitor);
     ASSERT_TRUE(visitor.choose("Your USB stick")) << visitor.heard();
     ASSERT_TRUE(visitor.choose("07 house")) << visitor.heard();
@@ -373,6 +381,7 @@ TEST(WholeVisit, TI4_NothingOfAVisitorIsInAnyFileAfterwards) {
     }
     EXPECT_TRUE(files_below(home).empty());
     EXPECT_EQ(world.heard().forgotten, 1);
+    EXPECT_EQ(world.line().forgotten, 1);
     EXPECT_TRUE(world.servo().picture().map->outlines.empty()) << "nor does the servo have it";
     EXPECT_EQ(world.servo().recordings_forgotten, 1) << "nor how it was felt";
     EXPECT_EQ(world.servo().recordings_kept, 0);

@@ -80,19 +80,29 @@ TEST(Health, TimesAreSaidInTheirLargestUnit) {
     EXPECT_EQ(started(std::numeric_limits<double>::quiet_NaN()), "just now");
 }
 
+TEST(Health, ThePrinterIsNamedOnceItIsKnown) {
+    KioskHealth health = sound_health();
+    EXPECT_EQ(std::ranges::count(names(health), "Printer"), 0);
+    health.printer = PrintEnd::printed;
+    EXPECT_EQ(std::ranges::count(names(health), "Printer"), 1);
+    health.printer = PrintEnd::no_paper;
+    EXPECT_EQ(names(health).front(), "The printer has no paper. Put some in");
+}
+
 /// Every line that needs somebody, in every language.
 TEST(Health, TroublesAreSaidInEveryLanguage) {
     KioskHealth health = sound_health();
     health.has_sound = health.notices_sticks = health.can_keep = false;
     health.camera = CameraHealth::stopped;
     health.networks = {1, true};
+    health.printer = PrintEnd::unknown;
     const auto english = health_lines(health, Language());
-    ASSERT_EQ(std::ranges::count(english, Urgency::trouble, &HealthLine::urgency), 5);
+    ASSERT_EQ(std::ranges::count(english, Urgency::trouble, &HealthLine::urgency), 6);
     const std::vector<std::string> codes = languages_in(TOUCHLINE_CATALOGUES).value();
     for (const std::string& code : codes) {
         if (code == "en") continue;
         const auto lines = health_lines(health, Language::load(TOUCHLINE_CATALOGUES, code).value());
-        for (std::size_t i = 0; i < 5; ++i) EXPECT_NE(lines[i].name, english[i].name) << code;
+        for (std::size_t i = 0; i < 6; ++i) EXPECT_NE(lines[i].name, english[i].name) << code;
     }
 }
 

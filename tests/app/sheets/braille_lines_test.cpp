@@ -92,18 +92,32 @@ TEST(SheetWords, PartsAreNamedOnceAndInPlaces) {
                                    line_through({{0, 0}, {0, 5}}, 2, "Nose"),
                                    line_through({{30, 0}, {30, 5}}, 2)});
     map.labels.push_back({"Garden", {0.04, -0.03}});
+    map.labels.push_back({"Ear", {-0.04, 0.03}});
     map.description = "It faces left.";
     const auto parts = named_parts(map);
     ASSERT_EQ(parts.size(), 3U);
     EXPECT_EQ(parts[0].outlines, (std::vector<std::size_t>{0, 1}));
     EXPECT_EQ(parts[2].name, "Garden");
     std::string told;
-    for (const auto& paragraph : paragraphs_of(map, {1.6, {"Nose"}, {"Ear", "Garden"}}, Language()))
+    for (const auto& paragraph : paragraphs_of(map, {1.5, {"Nose"}, {"Ear", "Garden"}}, Language()))
         told += paragraph.words + "\n";
     EXPECT_EQ(told,
               "Lines\nIt faces left.\nThe parts:\nEar: upper left\nNose: middle\n"
               "Garden: lower right\nLeft out, at least in places: Nose.\n"
               "On the sheet without a name: Ear, Garden.\n2 cm are 1.3 cm at the kiosk.\n");
+}
+
+/// A text beside a line that says the line's name is no second part; two places may share a name.
+TEST(SheetWords, ATextIsAPartUnlessItNamesALine) {
+    TactileMap map = map_of_lines({line_through({{-50, 30}, {-40, 30}}, 1, "Westport")});
+    map.labels = {
+        {"Westport", {-0.05, 0.02}}, {"Bench", {0.0, 0.0}}, {"Bench", {0.03, 0.0}}, {"", {}}};
+    const auto parts = named_parts(map);
+    ASSERT_EQ(parts.size(), 3U);
+    EXPECT_EQ(parts[0].outlines, std::vector<std::size_t>{0});
+    EXPECT_EQ(parts[1].name, "Bench");
+    EXPECT_EQ(parts[2].name, "Bench");
+    EXPECT_NE(parts[1].place, parts[2].place);
 }
 
 TEST(SheetWords, TheOnlyPartIsTheTitle) {

@@ -1,10 +1,12 @@
 #include "app/sheets/braille_sheet.h"
 
+#include "app/sheets/stroke_grid.h"
 #include "tests/app/documents/gallery/pictures.h"
 #include "tests/app/sheets/rendered_page.h"
 #include "tests/app/sheets/sheet_maps.h"
 
 #include <algorithm>
+#include <cmath>
 #include <queue>
 #include <set>
 #include <sstream>
@@ -123,34 +125,73 @@ TEST(BrailleSheet, ALineIsOnePieceOfDotsAndTwoAreTwo) {
     EXPECT_FALSE(dots_of({}, text).has_value());
 }
 
-/// A dot is raised if and only if a line passes nearer to it than to others.
+/// Where `place` is nearer to places[i] than to its neighbours, or at most `by` further.
+bool is_nearest(const std::vector<double>& places, std::size_t i, double place, double by) {
+    const double far = std::abs(places[i] - place) - by;
+    return (i == 0 || far <= std::abs(places[i - 1] - place)) &&
+           (i + 1 == places.size() || far <= std::abs(places[i + 1] - place));
+}
+
+/// The way of a line through the part of the paper that is nearest to each dot, in steps of
+/// 0.05 mm.
+std::vector<double> ways_mm(const SheetStroke& line, const DotLattice& lattice, double by) {
+    constexpr double step_mm = 0.05;
+    std::vector<double> ways(lattice.x_mm.size() * lattice.y_mm.size(), 0.0);
+    for (const PaperPoint& p : sampled(line, step_mm))
+        for (std::size_t y = 0; y < lattice.y_mm.size(); ++y) {
+            if (!is_nearest(lattice.y_mm, y, p.y_mm, by)) continue;
+            for (std::size_t x = 0; x < lattice.x_mm.size(); ++x)
+                if (is_nearest(lattice.x_mm, x, p.x_mm, by))
+                    ways[y * lattice.x_mm.size() + x] += step_mm;
+        }
+    return ways;
+}
+
+/// A dot is raised if the line passes nearer to it than to others for 0.6 mm, and only if it passes
+/// so at all. The line is as large as the page, or 2.5 times as large as at the kiosk.
 RC_GTEST_PROP(BrailleSheet, DotsLieOnTheLine, ()) {
     const auto coordinate =
-        rc::gen::map(rc::gen::inRange(-400, 401), [](int v) { return v / 10.0; });
+        rc::gen::map(rc::gen::inRange(-580, 581), [](int v) { return v / 10.0; });
     const auto points = *rc::gen::container<std::vector<std::pair<double, double>>>(
         3, rc::gen::pair(coordinate, coordinate));
     RC_PRE(std::set(points.begin(), points.end()).size() == 3U);
     const TactileMap map = map_of_lines({line_through(points)});
-    const DotPicture dots = dots_of(map, text_lattice(40, 23)).value();
-    const auto raised = static_cast<std::size_t>(std::ranges::count(dots.raised, true));
-    RC_ASSERT(raised >= 3U);
+    const DotLattice lattice = text_lattice(40, 23);
+    const DotPicture dots = dots_of(map, lattice).value();
     RC_ASSERT(pieces(dots) == 1U);
-    // The lines reach both sides, or the top and the bottom.
-    bool left = false;
-    bool right = false;
-    bool top = false;
-    bool bottom = false;
-    for (std::size_t y = 0; y < dots.rows; ++y)
-        for (std::size_t x = 0; x < dots.columns; ++x) {
-            if (!dots.at(x, y)) continue;
-            left = left || x == 0;
-            right = right || x + 1 == dots.columns;
-            top = top || y == 0;
-            bottom = bottom || y + 1 == dots.rows;
-        }
-    const double widest = 2.5 * 80.0;
-    const auto [low, high] = std::ranges::minmax(points);
-    if ((high.first - low.first) * 2.5 > widest) RC_ASSERT((left && right) || (top && bottom));
+
+    // From x and y in millimetres of W to the paper: told here again.
+    const auto range = [&points](auto coordinate_of) {
+        const auto [low, high] = std::ranges::minmax(points, {}, coordinate_of);
+        return std::pair(coordinate_of(low), coordinate_of(high));
+    };
+    const auto [left, right] = range([](const auto& p) { return p.first; });
+    const auto [bottom, top] = range([](const auto& p) { return p.second; });
+    const double width_mm = 39.0 * 6.0 + 2.5;
+    const double height_mm = 22.0 * 10.0 + 5.0;
+    const double scale =
+        std::min({2.5, width_mm / (right - left), height_mm / (top - bottom)});  // by 0: infinite
+    SheetStroke line;
+    for (const auto& [x, y] : points)
+        line.points.push_back({width_mm / 2.0 + scale * (x - (left + right) / 2.0),
+                               height_mm / 2.0 - scale * (y - (bottom + top) / 2.0)});
+    // A line half-way between two dots may raise either; and between two samples lie 0.05 mm.
+    const std::vector<double> maybe = ways_mm(line, lattice, 0.05);
+    for (std::size_t i = 0; i < maybe.size(); ++i)
+        if (dots.raised[i]) RC_ASSERT(maybe[i] > 0.0);
+    for (std::size_t k = 0; k < 2; ++k) {
+        const std::vector<double> surely =
+            ways_mm({.points = {line.points[k], line.points[k + 1]}}, lattice, -1e-6);
+        for (std::size_t i = 0; i < surely.size(); ++i)
+            if (surely[i] > 0.6) RC_ASSERT(dots.raised[i]);
+    }
+}
+
+/// A line that is shorter than the way between two dots is one dot.
+TEST(BrailleSheet, TheShortestLineIsADot) {
+    const TactileMap map = map_of_lines({line_through({{-40, -40}, {-40, -39.8}})});
+    const DotPicture dots = dots_of(map, text_lattice(40, 23)).value();
+    EXPECT_EQ(std::ranges::count(dots.raised, true), 1);
 }
 
 DotPicture dots_from(const std::vector<std::string>& rows) {

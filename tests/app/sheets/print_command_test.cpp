@@ -100,6 +100,48 @@ TEST_F(PrintCommand, WhatCannotBeUsedIsOneLineAndNoFile) {
     EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
 }
 
+/// A map of Touchline's own, by someone else.
+std::string own_map(const std::string& title, const std::string& lines) {
+    return R"(<svg xmlns="http://www.w3.org/2000/svg" width="116mm" height="84mm" viewBox="0 0 116 84" data-difficulty="1">)"
+           "<title>" +
+           title + "</title><title xml:lang=\"de\">Ein Haus</title>" + lines + "</svg>";
+}
+
+constexpr auto two_lines = R"(<path data-detail="1" d="M10 10 L100 60"><title>Track</title></path>
+<path data-detail="1" d="M10 60 L100 20"><title>Road</title><title xml:lang="de">Weg</title></path>)";
+
+TEST_F(PrintCommand, AnotherLanguageIsThatOfTheFilesOwnWords) {
+    std::ofstream(folder + "map.svg") << own_map("A house", two_lines);
+    ASSERT_EQ(print(folder + "map.svg", "de.brf", {"--language", "de"}), 0) << said;
+    EXPECT_NE(read_text(folder + "de.brf").value().find("EIN HAUS"), std::string::npos);
+    EXPECT_NE(read_text(folder + "de.brf").value().find("WEG"), std::string::npos);
+    ASSERT_EQ(print(folder + "map.svg", "fr.brf", {"--language", "fr"}), 0) << said;
+    EXPECT_NE(read_text(folder + "fr.brf").value().find("HOUSE"), std::string::npos);
+}
+
+TEST_F(PrintCommand, SignsThatBrailleLacksAreToldInOneLine) {
+    std::ofstream(folder + "runes.svg") << own_map("ᚠᚢᚦ", two_lines);
+    ASSERT_EQ(print(folder + "runes.svg", "a.pdf"), 0);
+    EXPECT_NE(said.find("3 signs that the braille of the language en lacks"), std::string::npos)
+        << said;
+    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+    EXPECT_EQ(print(folder + "runes.svg", "a.pdf", {"--language", "de"}), 0);
+    EXPECT_EQ(said, "");
+}
+
+TEST_F(PrintCommand, MorePartsThanASheetHoldsAreOneLine) {
+    std::string lines;
+    for (int i = 0; i < 201; ++i)
+        lines += R"(<path data-detail="1" d="M)" + std::to_string(i % 100) + " 1 v70\"><title>P" +
+                 std::to_string(i) + "</title></path>";
+    std::ofstream(folder + "many.svg") << own_map("Many", lines);
+    for (const char* name : {"a.pdf", "a.svg", "a.brf", "a.index"}) {
+        EXPECT_EQ(print(folder + "many.svg", name), 1);
+        EXPECT_NE(said.find("201 parts with a name, and a sheet holds 200"), std::string::npos);
+        EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+    }
+}
+
 TEST_F(PrintCommand, WrongUsageIsToldBeforeAnythingIsRead) {
     for (const std::vector<std::string>& options : {std::vector<std::string>{"--paper", "a5"},
                                                     {"--language", "xx"},

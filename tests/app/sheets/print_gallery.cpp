@@ -19,6 +19,19 @@ std::string listed(const std::vector<std::string>& names) {
     return list;
 }
 
+/// How often a line interrupts a leader.
+std::size_t breaks_of(const PaperPage& page) {
+    const auto is_piece = [](const SheetStroke& stroke) {
+        return stroke.use == StrokeUse::leader && stroke.points.size() > 1;
+    };
+    std::size_t breaks = 0;
+    for (std::size_t i = 1; i < page.strokes.size(); ++i)
+        if (is_piece(page.strokes[i]) && is_piece(page.strokes[i - 1]) &&
+            page.strokes[i].source == page.strokes[i - 1].source)
+            ++breaks;
+    return breaks;
+}
+
 int print_all(const std::string& folder, const std::string& code, PaperKind paper) {
     const Language language = Language::load(TOUCHLINE_CATALOGUES, code).value();
     const SheetOrder order{paper, {code, BrailleGrade::uncontracted}};
@@ -27,10 +40,13 @@ int print_all(const std::string& folder, const std::string& code, PaperKind pape
         const TactileSheet sheet = tactile_sheet(picture.map, order, language).value();
         const std::chrono::duration<double, std::milli> took =
             std::chrono::steady_clock::now() - begin;
-        std::printf("%-22s %5.0f ms  scale %.2f  %2zu parts, without a name: %s; left out: %s\n",
-                    picture.name.c_str(), took.count(), sheet.scale,
-                    named_parts(picture.map).size(), listed(sheet.unlabelled).c_str(),
-                    listed(sheet.left_out).c_str());
+        std::printf(
+            "%-22s %5.0f ms  scale %.2f  %2zu parts, %zu breaks of leaders, without a name: %s; "
+            "left "
+            "out: %s\n",
+            picture.name.c_str(), took.count(), sheet.scale, named_parts(picture.map).size(),
+            breaks_of(sheet.pages.front()), listed(sheet.unlabelled).c_str(),
+            listed(sheet.left_out).c_str());
         const std::string name = folder + "/" + picture.name;
         const auto pdf = pdf_of(sheet, picture.map.title).value();
         auto pages = word_pages(picture.map, order.hand, language).value();

@@ -3,6 +3,7 @@
 #include "app/sheets/stroke_grid.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace touchline {
@@ -28,6 +29,11 @@ TactileMap map_of_lines(std::vector<Outline> outlines, const std::string& title)
     map.outlines = std::move(outlines);
     map.title = title;
     return map;
+}
+
+double gap_mm(const PaperBox& a, const PaperBox& b) {
+    return std::hypot(std::max({a.left_mm - b.right_mm, b.left_mm - a.right_mm, 0.0}),
+                      std::max({a.top_mm - b.bottom_mm, b.top_mm - a.bottom_mm, 0.0}));
 }
 
 std::vector<PaperPoint> too_near(const SheetStroke& a, const SheetStroke& b, double clear_mm,

@@ -22,6 +22,9 @@ namespace touchline {
 [[nodiscard]] TactileMap map_of_lines(std::vector<Outline> outlines,
                                       const std::string& title = "Lines");
 
+/// The way across between two boxes; 0 if they meet.
+[[nodiscard]] double gap_mm(const PaperBox& a, const PaperBox& b);
+
 /// Every place of `a` that is nearer to `b` than the rule allows and not within `reach_mm` of a
 /// place where both meet. Tries all places against all; knows nothing of how the lines were made.
 [[nodiscard]] std::vector<PaperPoint> too_near(const SheetStroke& a, const SheetStroke& b,

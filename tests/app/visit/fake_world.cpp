@@ -89,6 +89,8 @@ void FakeHouse::carry_out(const VisitOrder& order) {
     if (const auto* load = std::get_if<LoadPicture>(&order)) carry_out_load(*load);
     if (const auto* felt = std::get_if<FeelDrawing>(&order))
         due_.push_back({now_s, PictureReady{felt->request, facts_of_drawing(felt->map)}});
+    if (std::holds_alternative<PrintSheet>(order))
+        due_.push_back({now_s + print_s, SheetEnded{print_end}});
     if (std::holds_alternative<Capture>(order)) due_.push_back({now_s + 0.5, CameraCaptured{}});
     if (const auto* guide = std::get_if<Guide>(&order)) {
         is_leading = guide->kind != GuideKind::stop;

@@ -79,6 +79,8 @@ class FakeHouse {
     double load_s = 0.2;  // loading time of a picture
     double lead_s = 2.0;  // time that leading takes
     bool loads_fail = false;
+    double print_s = 5.0;  // time that a sheet takes
+    PrintEnd print_end = PrintEnd::printed;
 
     Visit visit;
     VisitOrders orders;                 // from the last step

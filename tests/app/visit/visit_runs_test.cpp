@@ -212,7 +212,7 @@ StickCame stick_of(unsigned count, bool is_whole) {
 /// Returns any event that can happen, at random; keys more often than all else.
 VisitEvent rude_event(std::mt19937& random, FakeHouse& house) {
     const auto upto = [&random](unsigned count) { return static_cast<unsigned>(random()) % count; };
-    switch (upto(25)) {
+    switch (upto(26)) {
         case 0:
             return DeadKeyPressed{};
         case 1:
@@ -249,6 +249,8 @@ VisitEvent rude_event(std::mt19937& random, FakeHouse& house) {
         case 17:
             return ThingsLookedFor{house.visit.site.request - upto(3),
                                    {1, 1, 2, 2, static_cast<ThingSearch>(3 + upto(2))}};
+        case 18:
+            return LineRead{upto(2) == 0};
         case 16: {
             HandleSeen handle;
             handle.place_W = {0.0001 * upto(500), -0.0001 * upto(400)};

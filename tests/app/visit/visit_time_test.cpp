@@ -66,6 +66,39 @@ TEST(Visit, TI1_MotionCountsButNotThatOfAHandleThatLeads) {
     EXPECT_EQ(house.open(), VisitScreen::question);
 }
 
+TEST(Visit, TI1_WhoReadsTheBrailleLineIsThere) {
+    FakeHouse house;
+    house.apply(LineRead{});
+    EXPECT_EQ(house.open(), VisitScreen::attract) << "the invitation can be read to its end";
+    to_picture(house);
+    for (int i = 0; i < 20; ++i) {
+        house.wait(20.0);
+        house.apply(LineRead{});
+    }
+    EXPECT_EQ(house.open(), VisitScreen::picture);
+    house.wait(90.5);
+    ASSERT_EQ(house.open(), VisitScreen::question);
+    house.apply(LineRead{});
+    EXPECT_EQ(house.open(), VisitScreen::picture);
+    EXPECT_TRUE(house.last_said().starts_with("You have more time."));
+}
+
+TEST(Visit, AnEndOfTheBrailleLineIsFeltAndAPageStopsNoHandle) {
+    FakeHouse house;
+    to_picture(house);
+    house.lead_s = 100.0;
+    ASSERT_TRUE(house.choose("Guide me along the largest outline"));
+    house.wait(5.0);
+    ASSERT_TRUE(house.is_leading);
+    house.apply(LineRead{});
+    EXPECT_TRUE(house.orders.empty()) << "a page that is turned is felt by itself";
+    EXPECT_TRUE(house.is_leading) << "whoever is led reads what the hand is on";
+    house.apply(LineRead{true});
+    ASSERT_EQ(house.last<GivePattern>().size(), 1U);
+    EXPECT_EQ(house.last<GivePattern>().front().pattern, HandlePattern::edge);
+    EXPECT_TRUE(house.is_leading);
+}
+
 TEST(Visit, TI1_AHandleThatWaitsForAHandIsNobody) {
     FakeHouse house;
     to_picture(house);

@@ -19,8 +19,7 @@ constexpr std::string_view zero_board =
     "[[board]]\nvendor = 0x2341\nproduct = 0x804d\nstate = \"running\"\nname = \"Zero\"\n";
 
 TEST(Boards, InstalledTableNamesEveryKnownId) {
-    const auto settings =
-        read_boards(std::string(TOUCHLINE_SOURCE_DIR) + "/config/defaults/boards.toml");
+    const auto settings = read_boards(TOUCHLINE_SOURCE_DIR "/config/defaults/boards.toml");
     ASSERT_TRUE(settings.has_value()) << settings.error().line;
     EXPECT_TRUE(settings->units.empty());
     const auto find = [&](std::uint16_t vendor, std::uint16_t product) {
@@ -42,7 +41,7 @@ TEST(Boards, InstalledTableNamesEveryKnownId) {
 }
 
 TEST(Boards, UdevRulesOpenEveryBoardOfTheTable) {
-    const std::string folder = std::string(TOUCHLINE_SOURCE_DIR) + "/config/defaults/";
+    const std::string folder = TOUCHLINE_SOURCE_DIR "/config/defaults/";
     std::ifstream in(folder + "70-touchline.rules");
     const std::string rules(std::istreambuf_iterator<char>(in), {});
     const BoardSettings settings = read_boards(folder + "boards.toml").value();
@@ -64,11 +63,10 @@ TEST(Boards, UdevRulesOpenEveryBoardOfTheTable) {
 
 /// A desktop can then offer the program to a user who plugs in a board.
 TEST(Boards, TheMetainfoNamesTheBoardsThatAreOpenedUnasked) {
-    std::ifstream in(std::string(TOUCHLINE_SOURCE_DIR) +
+    std::ifstream in(TOUCHLINE_SOURCE_DIR
                      "/app/package/desktop/org.touchline.touchline.metainfo.xml");
     const std::string metainfo(std::istreambuf_iterator<char>(in), {});
-    const auto boards =
-        read_boards(std::string(TOUCHLINE_SOURCE_DIR) + "/config/defaults/boards.toml")->boards;
+    const auto boards = read_boards(TOUCHLINE_SOURCE_DIR "/config/defaults/boards.toml")->boards;
     for (const BoardId& id : boards) {
         char modalias[100];
         std::snprintf(modalias, sizeof modalias, "<modalias>usb:v%04Xp%04Xd*</modalias>",

@@ -14,7 +14,7 @@ namespace touchline {
 namespace {
 
 std::string installed() {
-    std::ifstream in(std::string(TOUCHLINE_SOURCE_DIR) + "/config/defaults/keys.toml");
+    std::ifstream in(TOUCHLINE_SOURCE_DIR "/config/defaults/keys.toml");
     return {std::istreambuf_iterator<char>(in), {}};
 }
 

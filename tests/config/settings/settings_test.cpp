@@ -120,6 +120,8 @@ TEST(SettingRows, TextsAreOfTheirKind) {
                   "aa bb cc dd ee ff gg hh ii jj kk ll mm nn oo pp qq"});
     expect_texts("language", "first", {"en", "de"}, {"", "e", "en de"});
     expect_texts("profile", "use", {"", "child", "class-3"}, {"../child", "Child", "a b"});
+    expect_texts("print", "printer", {"", "swell-paper_2", "Drucker"},
+                 {"a b", "a/b", "a#b", "a\nb", std::string(128, 'a')});
     expect_texts("care", "notice", {"", "Zurück um zwei."}, {"a\nb", std::string(201, 'a')});
 }
 

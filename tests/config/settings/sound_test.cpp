@@ -18,7 +18,7 @@ std::string sound_error(const std::string& text) {
 }
 
 std::string installed_text() {
-    std::ifstream in(std::string(TOUCHLINE_SOURCE_DIR) + "/config/defaults/sound.toml");
+    std::ifstream in(TOUCHLINE_SOURCE_DIR "/config/defaults/sound.toml");
     return {std::istreambuf_iterator<char>(in), {}};
 }
 

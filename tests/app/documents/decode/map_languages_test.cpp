@@ -80,6 +80,9 @@ TEST(MapLanguages, EmptyDoubledAndMissingWords) {
     EXPECT_EQ(words_of_svg(svg_with_line("<title xml:lang='de'>D</title><title>E</title>")).title,
               "E");
     EXPECT_EQ(words_of_svg(svg_with_line("<desc xml:lang='de'>D</desc>")).description, "D");
+    EXPECT_EQ(
+        words_of_svg(svg_with_line("<title xml:lang='de'>D</title><title>E</title>"), {"de"}).title,
+        "D");
 }
 
 /// A visitor who asks for English gets it on a machine that speaks German.

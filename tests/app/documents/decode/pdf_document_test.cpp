@@ -41,6 +41,16 @@ TEST(PdfDocument, EveryPageOfManyIsCountedAndOpens) {
     EXPECT_EQ(work->order.page, 300);
 }
 
+TEST(DecodeWork, ALanguageGoesToTheWorkerAsATag) {
+    const auto crossed = [](const std::string& tag) {
+        return work_in(arguments_of({WorkerKind::document, {1, 150, {tag}}}));
+    };
+    for (const char* tag : {"en", "de", "pt-BR", ""})
+        EXPECT_EQ(crossed(tag).value().order.language.text, tag);
+    EXPECT_FALSE(crossed("de;x").has_value());
+    EXPECT_FALSE(crossed(std::string(36, 'a')).has_value());
+}
+
 using Text = std::string;
 
 /// Applies the cipher of the first encrypted documents.

@@ -19,8 +19,7 @@ constexpr double most_apart = 1e-3;  // share of an output's greatest number
 
 /// Returns the numbers of each row by its name, which is its first three words.
 std::map<std::string, std::vector<double>> recorded() {
-    std::ifstream file(std::string(TOUCHLINE_SOURCE_DIR) +
-                       "/tests/app/documents/models/shipped_outputs.csv");
+    std::ifstream file(TOUCHLINE_SOURCE_DIR "/tests/app/documents/models/shipped_outputs.csv");
     std::map<std::string, std::vector<double>> rows;
     for (std::string line; std::getline(file, line);) {
         std::istringstream words(line);

@@ -125,8 +125,7 @@ TEST(InstalledForSticks, UsbGuardLetsSticksInAndNothingThatPretends) {
 }
 
 TEST(InstalledForSticks, UsbGuardLetsTheBoardsInAndNoKeyboardWithTheirIds) {
-    const auto settings =
-        read_boards(std::string(TOUCHLINE_SOURCE_DIR) + "/config/defaults/boards.toml");
+    const auto settings = read_boards(TOUCHLINE_SOURCE_DIR "/config/defaults/boards.toml");
     ASSERT_TRUE(settings.has_value());
     for (const BoardId& board : settings->boards) {
         std::array<char, 10> id{};

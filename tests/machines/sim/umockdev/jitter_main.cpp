@@ -45,8 +45,7 @@ class BoardInProcess final : public ForceDevice {
 };
 
 std::unique_ptr<ForceDevice> board_through(const UsbBoards& usb) {
-    const auto known =
-        read_boards(std::string(TOUCHLINE_SOURCE_DIR) + "/config/defaults/boards.toml");
+    const auto known = read_boards(TOUCHLINE_SOURCE_DIR "/config/defaults/boards.toml");
     OpenedBoard opened = usb.open(usb.find(known->boards, "").value()).value();
     auto board =
         std::make_unique<PantographBoard>(std::move(opened.link), default_profile(), Calibration{});

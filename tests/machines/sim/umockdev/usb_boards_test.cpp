@@ -19,7 +19,7 @@ namespace touchline {
 namespace {
 
 std::vector<BoardId> known_boards() {
-    return read_boards(std::string(TOUCHLINE_SOURCE_DIR) + "/config/defaults/boards.toml")->boards;
+    return read_boards(TOUCHLINE_SOURCE_DIR "/config/defaults/boards.toml")->boards;
 }
 
 constexpr JointTorques push{0.02, -0.02};

@@ -124,7 +124,7 @@ class UsbFault : public testing::TestWithParam<UsbFaultKind> {
     MockedUsb mocked_;
     MockedBoard board_{mocked_, {}};
     std::vector<BoardId> known_ =
-        read_boards(std::string(TOUCHLINE_SOURCE_DIR) + "/config/defaults/boards.toml")->boards;
+        read_boards(TOUCHLINE_SOURCE_DIR "/config/defaults/boards.toml")->boards;
     UsbBoards usb_ = UsbBoards::create().value();
     std::optional<Drive> drive_;
     bool is_doubtful_ = false;

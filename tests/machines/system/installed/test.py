@@ -12,7 +12,7 @@ from kiosk import Kiosk
 from machine import Fault, Machine
 from table import Table, page, read
 
-GROUPS = ('boot', 'power', 'stick', 'sound', 'keys', 'board', 'camera', 'screen', 'idle', 'update')
+GROUPS = ('boot', 'power', 'stick', 'sound', 'keys', 'board', 'camera', 'screen', 'braille', 'idle', 'update')
 # Groups in which the kiosk must keep deadlines of milliseconds, or of seconds with much to do.
 BY_INSTRUCTIONS = ('board', 'camera')
 FILL = os.path.join(os.path.dirname(os.path.abspath(__file__)), '../../../lab/bench/fill.awk')

@@ -1,0 +1,35 @@
+// What is said, for ears and for fingers; and what a reader does on the braille line.
+#include "app/kiosk/kiosk.h"
+
+#include <string>
+
+namespace touchline {
+
+/// One hand feels and the other reads, so what the hand is on does not wait on the line.
+void Kiosk::say(const Utterance& utterance) {
+    sound_->say(utterance);
+    if (!braille_) return;
+    const bool waits = utterance.priority == SpeechPriority::hint && !utterance.is_of_hand;
+    braille_->say({utterance.language, utterance.text}, waits ? LineUse::after : LineUse::now);
+}
+
+void Kiosk::follow_braille() {
+    if (!braille_) return;
+    while (const auto event = braille_->next_event()) take_line_event(*event);
+    if (const std::string line = braille_->take_report(); !line.empty()) report(line);
+    if (!braille_->is_there()) return;
+    const SpokenScreen now = screen();
+    const std::string item = now.focus ? spoken_item(now, *now.focus, language()) : std::string();
+    braille_->rest({language().code(), item});
+}
+
+/// The operator reads pages too, but is no visitor.
+void Kiosk::take_line_event(const LineEvent& event) {
+    if (const auto* const role = std::get_if<KeyRole>(&event)) return press(*role);
+    if (is_operator_in()) return;
+    if (const auto* const turned = std::get_if<LineTurned>(&event))
+        return apply(LineRead{turned->is_at_end});
+    apply(DeadKeyPressed{});
+}
+
+}  // namespace touchline

@@ -1,0 +1,69 @@
+// The site's printer, as a kiosk uses it: one sheet at a time, and a look at its queue now and
+// then. Threads: one; no call waits, but for the end of its object: at most ten seconds, while a
+// sheet is laid out.
+#pragma once
+
+#include "app/printing/printing.h"
+#include "config/types/pinned.h"
+#include "config/types/tactile_map.h"
+
+#include <functional>
+#include <future>
+#include <optional>
+#include <stop_token>
+#include <string>
+
+namespace touchline {
+
+/// As in app/printing/printing.h. Both wait, and are called on another thread, one at a time.
+struct Printing {
+    std::function<PrintEnd(const TactileMap& map, const PrintOrder& order,
+                           const std::stop_token& stop)>
+        print;
+    std::function<PrintEnd(const std::string& queue, const std::stop_token& stop)> check;
+};
+
+[[nodiscard]] Printing printing_by(const PrintPrograms& programs);
+
+class SheetPrinter : private Pinned {
+  public:
+    /// How often the queue is looked at; sooner while somebody looks at what is found, and after a
+    /// sheet that CUPS may still keep.
+    static constexpr double check_every_s = 300.0;
+    static constexpr double watched_check_every_s = 10.0;
+
+    explicit SheetPrinter(Printing printing) : printing_(std::move(printing)) {}
+
+    ~SheetPrinter();
+
+    /// The end comes in one of the next steps. Not before the end of the sheet before. The sheet
+    /// is printed to its end whoever leaves; then nothing of it is left.
+    void print(TactileMap map, PrintOrder order);
+
+    /// `queue`: of the settings; empty: none. `now_s` never falls. Returns the end of a sheet,
+    /// once.
+    [[nodiscard]] std::optional<PrintEnd> step(const std::string& queue, double now_s,
+                                               bool is_watched);
+
+    /// What the last look at the queue found; nothing: not yet, or there is no queue.
+    [[nodiscard]] std::optional<PrintEnd> condition() const { return condition_; }
+
+  private:
+    struct Sheet {
+        TactileMap map;
+        PrintOrder order;
+    };
+
+    void begin_next(const std::string& queue, double now_s, bool is_watched);
+
+    Printing printing_;
+    std::stop_source stop_;
+    std::optional<Sheet> waiting_;  // for a look at the queue to end
+    std::future<PrintEnd> under_way_;
+    bool is_sheet_ = false;           // what is under way
+    std::string queue_;               // that was looked at last
+    std::optional<double> looked_s_;  // nothing: look as soon as possible
+    std::optional<PrintEnd> condition_;
+};
+
+}  // namespace touchline

@@ -1,0 +1,102 @@
+// Tests what the kiosk puts on a braille display, and what it takes from its keys.
+#include "tests/app/kiosk/blind_visitor.h"
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+/// Opens a picture of the gallery by the display alone.
+void open_picture(BlindVisitor& visitor, const std::string& picture) {
+    visitor.press(KeyRole::select);
+    ASSERT_TRUE(visitor.choose("English")) << visitor.heard();
+    ASSERT_TRUE(visitor.choose("Gallery")) << visitor.heard();
+    ASSERT_TRUE(visitor.choose_picture(picture)) << visitor.heard();
+    ASSERT_TRUE(visitor.wait_for("Guide me along the")) << visitor.heard();
+}
+
+TEST(KioskLine, HA3_ThePartUnderTheHandIsThereAtOnce) {
+    KioskWorld world;
+    BlindVisitor visitor(world, 0.5, Sense::fingers);
+    ASSERT_NO_FATAL_FAILURE(open_picture(visitor, "A fish"));
+    visitor.press(KeyRole::repeat);
+    world.line().turn(LineTurn::to_first);
+    const auto& parts = world.kiosk().visit().visitor.felt->facts.parts;
+    ASSERT_FALSE(parts.empty());
+    lead_hand(world, parts.front().place_W);
+    world.run(1.0);
+    EXPECT_EQ(world.line().page(), as_read(parts.front().name, "en"));
+}
+
+TEST(KioskLine, HA3_TheItemWithTheFocusComesAfterTheLastPage) {
+    KioskWorld world;
+    BlindVisitor visitor(world, 0.5, Sense::fingers);
+    visitor.press(KeyRole::select);
+    ASSERT_TRUE(visitor.choose("English")) << visitor.heard();
+    const SpokenScreen screen = world.kiosk().screen();
+    const std::string item = spoken_item(screen, *screen.focus, world.kiosk().language());
+    EXPECT_TRUE(as_read(item, "en").starts_with(world.line().page())) << world.line().page();
+}
+
+TEST(KioskLine, AVisitWithoutSpeechCanBeRead) {
+    KioskWorld world;
+    Settings settings;
+    settings.is_speech_on = false;
+    world.kiosk().set(settings);
+    BlindVisitor visitor(world, 0.5, Sense::fingers);
+    open_picture(visitor, "A fish");
+}
+
+TEST(KioskLine, ADisplayThatComesInAVisitHasWhatWasSaidLast) {
+    KioskWorld world;
+    BlindVisitor by_ear(world);
+    by_ear.press(KeyRole::select);
+    ASSERT_TRUE(by_ear.choose("English")) << by_ear.heard();
+    EXPECT_TRUE(world.line().page().empty());
+    world.line().is_plugged_in = true;
+    world.run(0.1);
+    EXPECT_TRUE(as_read(world.heard().last_text(), "en").starts_with(world.line().page()));
+    EXPECT_FALSE(world.line().page().empty());
+}
+
+TEST(KioskLine, AnEndIsFeltAndAPageIsNot) {
+    KioskWorld world;
+    BlindVisitor visitor(world, 0.5, Sense::fingers);
+    visitor.press(KeyRole::select);
+    const auto patterns = [&world] { return world.servo().commands().pattern.serial; };
+    const std::uint32_t before = patterns();
+    world.line().turn(LineTurn::back);
+    world.run(0.1);
+    EXPECT_EQ(patterns(), before);
+    while (world.line().contents.turn(LineTurn::on, world.now_s())) continue;
+    world.line().turn(LineTurn::on);
+    world.run(0.1);
+    EXPECT_EQ(patterns(), before + 1);
+}
+
+TEST(KioskLine, TheGradeIsTheOperators) {
+    KioskWorld world;
+    EXPECT_EQ(world.line().use, BrailleUse::uncontracted);
+    Settings settings;
+    settings.braille = BrailleUse::contracted;
+    world.kiosk().set(settings);
+    EXPECT_EQ(world.line().use, BrailleUse::contracted);
+}
+
+/// The operator's keys come one after the other, without reading in between.
+TEST(KioskLine, TheOperatorReadsToo) {
+    KioskWorld world;
+    world.line().is_plugged_in = true;
+    for (const KeyRole role :
+         {KeyRole::help, KeyRole::up, KeyRole::up, KeyRole::down, KeyRole::down, KeyRole::select}) {
+        world.line().press(role);
+        world.run(0.3);
+    }
+    ASSERT_TRUE(world.kiosk().is_operator_in());
+    EXPECT_EQ(world.line().page(),
+              as_read(world.kiosk().caption(), "en").substr(0, world.line().page().size()));
+    EXPECT_FALSE(world.line().page().empty());
+}
+
+}  // namespace
+}  // namespace touchline

@@ -1,0 +1,128 @@
+// Tests the sheet to take home: offered where there is a printer, told when it is there, and never
+// in the way.
+#include "tests/app/visit/fake_world.h"
+#include "tests/app/visit/visit_scenes.h"
+
+#include <algorithm>
+#include <set>
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+constexpr const char* print = "Print to take home";
+
+VisitRules with_printer() {
+    VisitRules rules;
+    rules.has_printer = true;
+    return rules;
+}
+
+bool is_offered(const FakeHouse& house) {
+    const SpokenScreen screen = house.screen();
+    return std::ranges::find(screen.items, print, &ScreenItem::name) != screen.items.end();
+}
+
+std::string last_sentence(const FakeHouse& house) {
+    return house.transcript.back().text;
+}
+
+TEST(Visit, ASheetIsOfferedOnlyWhereItCanBePrinted) {
+    FakeHouse without;
+    to_picture(without);
+    EXPECT_FALSE(is_offered(without));
+    FakeHouse house(with_printer());
+    to_picture(house);
+    EXPECT_TRUE(is_offered(house));
+    house.visit.visitor.felt->facts.outline_count = 0;
+    EXPECT_FALSE(is_offered(house)) << "there is no line to print";
+}
+
+TEST(Visit, ASheetIsPrintedWhileTheVisitGoesOn) {
+    FakeHouse house(with_printer());
+    to_picture(house);
+    ASSERT_TRUE(house.choose(print));
+    EXPECT_EQ(house.last<PrintSheet>().size(), 1U);
+    EXPECT_EQ(last_sentence(house), "Printing. You can carry on meanwhile.");
+    EXPECT_EQ(house.open(), VisitScreen::picture);
+    ASSERT_TRUE(house.choose("Parts"));
+    house.wait(house.print_s + 0.1);
+    EXPECT_EQ(house.open(), VisitScreen::parts);
+    EXPECT_TRUE(house.has_said("Your sheet is in the printer.", 0));
+    house.press(KeyRole::repeat);
+    EXPECT_EQ(last_sentence(house), "Your sheet is in the printer.");
+}
+
+TEST(Visit, OneSheetAtATimeAndThreeAVisit) {
+    FakeHouse house(with_printer());
+    to_picture(house);
+    for (int i = 0; i < most_sheets; ++i) {
+        ASSERT_TRUE(house.choose(print));
+        house.press(KeyRole::select);
+        EXPECT_EQ(last_sentence(house), "Your sheet is being printed.");
+        EXPECT_TRUE(house.last<PrintSheet>().empty());
+        house.wait(house.print_s + 0.1);
+    }
+    house.press(KeyRole::select);
+    EXPECT_EQ(last_sentence(house), "One visit can print 3 sheets, and no more.");
+    EXPECT_TRUE(house.last<PrintSheet>().empty());
+    finish(house);
+    to_picture(house);
+    ASSERT_TRUE(house.choose(print)) << "the next visitor has three again";
+    EXPECT_EQ(house.last<PrintSheet>().size(), 1U);
+}
+
+TEST(Visit, ER1_ASheetThatFailsSaysWhyAndCanBeTriedAgain) {
+    std::set<std::string> told;
+    for (int i = 1; i < print_end_count; ++i) {
+        const auto end = static_cast<PrintEnd>(i);
+        if (end == PrintEnd::not_removed) continue;  // it is printed
+        FakeHouse house(with_printer());
+        house.print_end = end;
+        to_picture(house);
+        ASSERT_TRUE(house.choose(print));
+        house.wait(house.print_s + 0.1);
+        ASSERT_EQ(house.open(), VisitScreen::trouble) << i;
+        told.insert(house.screen().text);
+        house.press(KeyRole::select);
+        EXPECT_EQ(house.open(), VisitScreen::picture);
+        EXPECT_TRUE(house.visit.visitor.felt.has_value());
+        ASSERT_TRUE(house.choose(print));
+        EXPECT_EQ(house.last<PrintSheet>().size(), 1U);
+    }
+    EXPECT_GE(told.size(), 8U);
+    EXPECT_EQ(told.count(""), 0U);
+}
+
+TEST(Visit, TI2_TheNextVisitorHearsNothingOfASheet) {
+    for (const PrintEnd end : {PrintEnd::printed, PrintEnd::no_paper}) {
+        FakeHouse house(with_printer());
+        house.print_end = end;
+        house.print_s = 60.0;
+        to_picture(house);
+        ASSERT_TRUE(house.choose(print));
+        finish(house);
+        EXPECT_NE(house.screen().text.find("Take your sheet from the printer."), std::string::npos);
+        to_picture(house);
+        ASSERT_TRUE(house.choose(print));
+        EXPECT_EQ(last_sentence(house), "The printer is busy. Please try again in a minute.");
+        EXPECT_TRUE(house.last<PrintSheet>().empty());
+        const std::size_t from = house.transcript.size();
+        house.wait(house.print_s);
+        EXPECT_FALSE(house.has_said("sheet", from));
+        EXPECT_EQ(house.open(), VisitScreen::picture);
+        ASSERT_TRUE(house.choose(print));
+        EXPECT_EQ(house.last<PrintSheet>().size(), 1U);
+    }
+}
+
+TEST(Visit, TI6_GoodbyeTellsOfNoSheetThatIsNotThere) {
+    FakeHouse house(with_printer());
+    to_picture(house);
+    finish(house);
+    EXPECT_EQ(house.screen().text.find("sheet"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace touchline
