@@ -37,7 +37,8 @@ Result<PrintedMap> printed_map(const PrintCommandOptions& options, const Languag
     if (!seen) return tl::unexpected(seen.error());
     auto traced = trace_view(*seen, {options.trace});
     if (!traced) return tl::unexpected(traced.error());
-    PrintedMap printed{std::move(traced->map), seen->note.empty() ? traced->warning : seen->note};
+    PrintedMap printed{named_for_paper(std::move(traced->map), language),
+                       seen->note.empty() ? traced->warning : seen->note};
     const bool is_whole = options.view.kind == ViewChoice::Kind::first ||
                           options.view.kind == ViewChoice::Kind::whole;
     if (printed.map.description.empty() && seen->things && is_whole)

@@ -48,7 +48,7 @@ struct KioskParts {
     std::unique_ptr<Loader> loader;
     std::unique_ptr<FileSource> sticks;
     std::unique_ptr<PhotoCapture> photos;
-    std::unique_ptr<SheetPrinter> printer;  // sheets are offered once the settings name a queue
+    std::unique_ptr<SitePrinter> printer;  // sheets are offered once the settings name a queue
     Settings settings;
     KeyTable keys = default_keys();
     /// Null: nobody can enter. Its settings and keys are the ones above.
@@ -257,7 +257,7 @@ class Kiosk : private Pinned {
     Pen pen_;
     std::unique_ptr<FileSource> sticks_;
     std::unique_ptr<PhotoCapture> photos_;
-    std::unique_ptr<SheetPrinter> printer_;
+    std::unique_ptr<SitePrinter> printer_;
     std::unique_ptr<OperatorSession> operator_;
     std::string operator_caption_;
     std::string key_caption_;  // said of a key; empty once the visit has spoken again

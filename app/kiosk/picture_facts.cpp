@@ -2,35 +2,16 @@
 
 #include "app/visit/screen_model.h"
 #include "app/visit/told_lines.h"
+#include "audio-cues/words/part_name.h"
 #include "config/types/extent.h"
-#include "config/types/thing_name.h"
 
 #include <algorithm>
 #include <array>
 #include <span>
-#include <string_view>
 #include <utility>
 
 namespace touchline {
 namespace {
-
-constexpr std::array<std::string_view, 9> part_kinds{"closed line",
-                                                     "line",
-                                                     "dashed line",
-                                                     "dotted line",
-                                                     "rough area",
-                                                     "line of text",
-                                                     "figure",
-                                                     "outline of the main subject",
-                                                     "part of the main subject’s outline"};
-constexpr std::array<std::string_view, 9> part_places{"upper left", "top",    "upper right",
-                                                      "left",       "middle", "right",
-                                                      "lower left", "bottom", "lower right"};
-
-template <std::size_t n>
-bool is_among(const std::array<std::string_view, n>& words, std::string_view word) {
-    return std::ranges::find(words, word) != words.end();
-}
 
 /// The part of the outline with this label.
 std::optional<std::size_t> part_labelled(const TactileMap& map, const std::vector<PartFacts>& parts,
@@ -109,26 +90,6 @@ void name(PictureFacts& facts, const std::string& title, const PictureFile& file
 }
 
 }  // namespace
-
-std::string part_name(const std::string& label, const Language& language) {
-    constexpr std::string_view digits = "0123456789";
-    if (is_among(face_part_ids, label)) return language.text("part", label);
-    const std::size_t comma = label.rfind(", ");
-    if (comma == std::string::npos) return label;
-    const std::string place = label.substr(comma + 2);
-    std::string kind = label.substr(0, comma);
-    const std::size_t last = kind.find_last_not_of(digits);
-    std::string number;
-    if (last != std::string::npos && last + 1 < kind.size() && kind[last] == ' ') {
-        number = kind.substr(last + 1);
-        kind.resize(last);
-    }
-    if (!is_among(part_kinds, kind) || !is_among(part_places, place)) return label;
-    const std::string said = language.text("part", kind);
-    const std::string where = language.text("place", place);
-    return number.empty() ? language.text("part", "{0}, {1}", {said, where})
-                          : language.text("part", "{0} {1}, {2}", {said, number, where});
-}
 
 PictureFacts facts_of(const LoadedScene& scene, const PictureFile& file, const NameForm& form,
                       const Language& language) {

@@ -30,9 +30,4 @@ inline constexpr double spot_m = 0.004;
                                                  const std::vector<PartFacts>& parts,
                                                  const HandState& hand);
 
-/// Translates the label that tracing gives a line by its kind and place
-/// (vision/simplify/simplify.h), "dashed line 2, upper left", or that of a face's part. Returns any
-/// other label as it is: a person named the part.
-[[nodiscard]] std::string part_name(const std::string& label, const Language& language);
-
 }  // namespace touchline

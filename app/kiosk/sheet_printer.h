@@ -25,7 +25,23 @@ struct Printing {
 
 [[nodiscard]] Printing printing_by(const PrintPrograms& programs);
 
-class SheetPrinter : private Pinned {
+/// A printer of sheets; in tests, one that obeys the test's clock.
+class SitePrinter : public Interface {
+  public:
+    /// The end comes in one of the next steps. Not before the end of the sheet before. The sheet
+    /// is printed to its end whoever leaves; then nothing of it is left.
+    virtual void print(TactileMap map, PrintOrder order) = 0;
+
+    /// `queue`: of the settings; empty: none. `now_s` never falls. Returns the end of a sheet,
+    /// once.
+    [[nodiscard]] virtual std::optional<PrintEnd> step(const std::string& queue, double now_s,
+                                                       bool is_watched) = 0;
+
+    /// What the last look at the queue found; nothing: not yet, or there is no queue.
+    [[nodiscard]] virtual std::optional<PrintEnd> condition() const = 0;
+};
+
+class SheetPrinter final : public SitePrinter {
   public:
     /// How often the queue is looked at; sooner while somebody looks at what is found, and after a
     /// sheet that CUPS may still keep.
@@ -34,19 +50,13 @@ class SheetPrinter : private Pinned {
 
     explicit SheetPrinter(Printing printing) : printing_(std::move(printing)) {}
 
-    ~SheetPrinter();
+    ~SheetPrinter() override;
 
-    /// The end comes in one of the next steps. Not before the end of the sheet before. The sheet
-    /// is printed to its end whoever leaves; then nothing of it is left.
-    void print(TactileMap map, PrintOrder order);
-
-    /// `queue`: of the settings; empty: none. `now_s` never falls. Returns the end of a sheet,
-    /// once.
+    void print(TactileMap map, PrintOrder order) override;
     [[nodiscard]] std::optional<PrintEnd> step(const std::string& queue, double now_s,
-                                               bool is_watched);
+                                               bool is_watched) override;
 
-    /// What the last look at the queue found; nothing: not yet, or there is no queue.
-    [[nodiscard]] std::optional<PrintEnd> condition() const { return condition_; }
+    [[nodiscard]] std::optional<PrintEnd> condition() const override { return condition_; }
 
   private:
     struct Sheet {

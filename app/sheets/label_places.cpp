@@ -1,24 +1,24 @@
 #include "app/sheets/label_places.h"
 
+#include "app/sheets/free_lattice.h"
 #include "app/sheets/leader_way.h"
+#include "app/sheets/paper_faces.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 namespace touchline {
 namespace {
 
-constexpr double lattice_mm = 2.0;
-constexpr double half_diagonal_mm = 1.42;                          // of a square of the lattice
 constexpr double leader_end_mm = least_clear_mm + leader_half_mm;  // from the label's dots
 constexpr double longest_mm = 110.0;
-constexpr double on_line_mm = 1.0;  // what is named lies on a line that is this near
-constexpr double spot_mm = 3.0;     // the dot at a place without a line
+constexpr double spot_mm = 3.0;  // the dot at a place without a line
 constexpr int most_tries = 4;
 constexpr int most_ways = 400;            // leaders that are judged for one label
+constexpr int most_ways_in_all = 8000;    // and for all, at one try
 constexpr std::size_t tried_anchors = 4;  // of one place for a label: the nearest
 constexpr double label_reach_mm = 9.0;
 
@@ -28,74 +28,6 @@ constexpr double of_nearness = 1.0;  // each millimetre that is nearer to a line
 constexpr double of_inside_mm = 25.0;
 constexpr double of_row_mm = 2.0;
 constexpr double of_place_mm = 30.0;  // for a place, a label that does not lie upon it
-
-bool is_inside(const SheetStroke& ring, PaperPoint p) {
-    bool inside = false;
-    for (std::size_t i = 0, j = ring.points.size() - 1; i < ring.points.size(); j = i++) {
-        const PaperPoint a = ring.points[i];
-        const PaperPoint b = ring.points[j];
-        if ((a.y_mm > p.y_mm) == (b.y_mm > p.y_mm)) continue;
-        const double x = a.x_mm + (p.y_mm - a.y_mm) / (b.y_mm - a.y_mm) * (b.x_mm - a.x_mm);
-        if (p.x_mm < x) inside = !inside;
-    }
-    return inside;
-}
-
-double distance_to_mm(const SheetStroke& ring, PaperPoint p) {
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0, j = ring.points.size() - 1; i < ring.points.size(); j = i++)
-        least = std::min(least, segment_distance_mm(ring.points[j], ring.points[i], p));
-    return least;
-}
-
-/// Which points of a lattice over the zone are too near to a line for braille.
-class FreeLattice {
-  public:
-    FreeLattice(const StrokeGrid& grid, const PaperBox& zone)
-        : zone_(zone),
-          columns_(1 + static_cast<std::size_t>(std::max(0.0, zone.width_mm()) / lattice_mm)),
-          rows_(1 + static_cast<std::size_t>(std::max(0.0, zone.height_mm()) / lattice_mm)),
-          sums_((columns_ + 1) * (rows_ + 1), 0) {
-        for (std::size_t y = 0; y < rows_; ++y)
-            for (std::size_t x = 0; x < columns_; ++x) {
-                const bool is_taken =
-                    grid.near(corner(x, y)).clear_mm < least_clear_mm + half_diagonal_mm;
-                sums_[at(x + 1, y + 1)] = sums_[at(x, y + 1)] + sums_[at(x + 1, y)] -
-                                          sums_[at(x, y)] + (is_taken ? 1 : 0);
-            }
-    }
-
-    /// Calls `visit` with every free box of this size.
-    template <class Visit>
-    void each_box(double width_mm, double height_mm, const Visit& visit) const {
-        const auto wide = static_cast<std::size_t>(std::ceil(width_mm / lattice_mm));
-        const auto high = static_cast<std::size_t>(std::ceil(height_mm / lattice_mm));
-        for (std::size_t y = 0; y + high < rows_; y += 2)
-            for (std::size_t x = 0; x + wide < columns_; x += 2) {
-                const int taken = sums_[at(x + wide + 1, y + high + 1)] -
-                                  sums_[at(x, y + high + 1)] - sums_[at(x + wide + 1, y)] +
-                                  sums_[at(x, y)];
-                if (taken != 0) continue;
-                const PaperPoint from = corner(x, y);
-                visit(PaperBox{from.x_mm, from.y_mm, from.x_mm + width_mm, from.y_mm + height_mm});
-            }
-    }
-
-  private:
-    [[nodiscard]] std::size_t at(std::size_t x, std::size_t y) const {
-        return y * (columns_ + 1) + x;
-    }
-
-    [[nodiscard]] PaperPoint corner(std::size_t x, std::size_t y) const {
-        return {zone_.left_mm + lattice_mm * static_cast<double>(x),
-                zone_.top_mm + lattice_mm * static_cast<double>(y)};
-    }
-
-    PaperBox zone_;
-    std::size_t columns_;
-    std::size_t rows_;
-    std::vector<int> sums_;  // of the taken points above and to the left
-};
 
 /// A leader to a place for a label. To judge it costs much and does not depend on other labels, so
 /// it is done at the first try that asks for it.
@@ -110,8 +42,8 @@ struct Candidate {
     double least_cost = 0.0;
     PaperBox box;
     std::size_t shape = 0;
-    std::vector<Leader> leaders;     // empty until a try asks for them
-    std::vector<std::size_t> rings;  // closed lines around it; known as soon as the leaders are
+    std::vector<Leader> leaders;          // empty until a try asks for them
+    std::size_t face = PaperFaces::open;  // that it lies in; known as soon as the leaders are
 };
 
 struct Chosen {
@@ -143,9 +75,7 @@ class Placer {
   public:
     Placer(const std::vector<WantedLabel>& wanted, const std::vector<SheetStroke>& lines,
            const std::vector<SheetStroke>& shapes, PaperSize page, const PaperBox& zone)
-        : wanted_(wanted), grid_(page, label_reach_mm) {
-        for (const SheetStroke& shape : shapes)
-            if (shape.is_closed) rings_.push_back(shape);
+        : wanted_(wanted), faces_(shapes, page), grid_(page, label_reach_mm) {
         for (const SheetStroke& line : lines) grid_.add(line);
         const FreeLattice lattice(grid_, zone);
         for (const WantedLabel& label : wanted) candidates_.push_back(candidates(label, lattice));
@@ -175,27 +105,31 @@ class Placer {
         std::vector<SheetStroke> leaders;
     };
 
-    /// The closed lines around a place.
-    [[nodiscard]] std::vector<std::size_t> rings_around(PaperPoint p) const {
-        std::vector<std::size_t> rings;
-        for (std::size_t i = 0; i < rings_.size(); ++i)
-            if (is_inside(rings_[i], p)) rings.push_back(i);
-        return rings;
+    /// A label in a part that lines close off seems to name that. It may be there if no line lies
+    /// between it and what it names, or if the part is all around that.
+    [[nodiscard]] bool seems_to_name_another(const Candidate& candidate, PaperPoint anchor,
+                                             const LeaderWay& way) {
+        return candidate.face != PaperFaces::open && way.breaks > 0 &&
+               !faces_.is_around(candidate.face, anchor);
     }
 
-    /// A label inside a closed line seems to name that, unless what it names is that line or within
-    /// it, too.
-    [[nodiscard]] bool seems_to_name_another(const Candidate& candidate, PaperPoint anchor) const {
-        return std::ranges::any_of(candidate.rings, [&](std::size_t i) {
-            return !is_inside(rings_[i], anchor) && distance_to_mm(rings_[i], anchor) > on_line_mm;
-        });
+    /// Whether a line lies between two boxes that are beside each other.
+    [[nodiscard]] bool is_line_between(const PaperBox& a, const PaperBox& b) const {
+        const double left_mm = std::min(a.right_mm, b.right_mm);
+        const double right_mm = std::max(a.left_mm, b.left_mm);
+        const double y_mm =
+            (std::max(a.top_mm, b.top_mm) + std::min(a.bottom_mm, b.bottom_mm)) / 2.0;
+        for (double x_mm = left_mm; x_mm < right_mm; x_mm += leader_half_mm)
+            if (grid_.near({x_mm, y_mm}).clear_mm <= 0.0) return true;
+        return false;
     }
 
-    static bool is_free(const PaperBox& box, const Taken& taken) {
-        const bool meets_box = std::ranges::any_of(taken.boxes, [&box](const PaperBox& other) {
+    [[nodiscard]] bool is_free(const PaperBox& box, const Taken& taken) const {
+        const bool meets_box = std::ranges::any_of(taken.boxes, [&](const PaperBox& other) {
             const double x = std::max(other.left_mm - box.right_mm, box.left_mm - other.right_mm);
             const double y = std::max(other.top_mm - box.bottom_mm, box.top_mm - other.bottom_mm);
-            return std::max(x, y) < braille_label_mm;
+            if (std::max(x, y) < braille_label_mm) return true;
+            return y < 0.0 && x < braille_beside_mm && !is_line_between(box, other);
         });
         return !meets_box && std::ranges::none_of(taken.leaders, [&](const SheetStroke& piece) {
             return segment_distance_mm(piece.points.front(), piece.points.back(), box) <
@@ -228,7 +162,7 @@ class Placer {
                                  for (const PaperPoint& anchor : wanted.anchors)
                                      least = std::min(least, distance_mm(box, anchor));
                                  if (least < longest_mm)
-                                     found.push_back({least + more_mm, box, s, {}, {}});
+                                     found.push_back({least + more_mm, box, s, {}});
                              });
         }
         std::ranges::sort(found, {}, &Candidate::least_cost);
@@ -250,7 +184,7 @@ class Placer {
     [[nodiscard]] Chosen best_for(std::size_t label, const Taken& taken) {
         const WantedLabel& wanted = wanted_[label];
         Chosen best;
-        int ways_left = most_ways;
+        int ways_left = std::min(most_ways, most_ways_in_all / static_cast<int>(wanted_.size()));
         for (Candidate& candidate : candidates_[label]) {
             if (candidate.least_cost >= best.cost || ways_left <= 0) break;
             if (!is_free(candidate.box, taken)) continue;
@@ -263,9 +197,9 @@ class Placer {
             }
             if (candidate.leaders.empty()) {
                 candidate.leaders = near_leaders(wanted, candidate.box);
-                candidate.rings = rings_around(middle);
+                candidate.face = faces_.face_at(middle);
             }
-            const double more_mm = (candidate.rings.empty() ? 0.0 : of_inside_mm) +
+            const double more_mm = (candidate.face == PaperFaces::open ? 0.0 : of_inside_mm) +
                                    (wanted.is_place ? of_place_mm : 0.0);
             for (Leader& leader : candidate.leaders)
                 try_leader(wanted, candidate, leader, more_mm, taken, ways_left, best);
@@ -274,7 +208,7 @@ class Placer {
     }
 
     void try_leader(const WantedLabel& wanted, const Candidate& candidate, Leader& leader,
-                    double more_mm, const Taken& taken, int& ways_left, Chosen& best) const {
+                    double more_mm, const Taken& taken, int& ways_left, Chosen& best) {
         const PaperPoint anchor = leader.anchor;
         const PaperPoint port = port_of(candidate.box, anchor);
         const double length = distance_mm(anchor, port);
@@ -287,9 +221,9 @@ class Placer {
         if (has_spot && !is_free(anchor, anchor, spot_mm / 2.0, taken)) return;
         --ways_left;
         if (!leader.is_judged) {
-            leader.is_judged = true;
-            if (!seems_to_name_another(candidate, anchor))
-                leader.way = leader_way(anchor, port, grid_);
+            leader = {anchor, true, leader_way(anchor, port, grid_)};
+            if (leader.way && seems_to_name_another(candidate, anchor, *leader.way))
+                leader.way.reset();
         }
         if (!leader.way) return;
         const LeaderWay& way = *leader.way;
@@ -323,7 +257,7 @@ class Placer {
     }
 
     const std::vector<WantedLabel>& wanted_;
-    std::vector<SheetStroke> rings_;
+    PaperFaces faces_;
     StrokeGrid grid_;
     std::vector<std::vector<Candidate>> candidates_;  // of each label, the best first
 };

@@ -30,12 +30,14 @@ struct LabelPlan {
 };
 
 /// Dots of a label stay least_clear_mm from every line and leader, braille_label_mm from the dots
-/// of another label, and within the zone. A leader is straight and ends on its line, or in a dot at
-/// its place; it is broken where it crosses lines, and meets no other leader. Each label takes the
-/// place with the shortest leader, where breaks, nearness to lines, the inside of closed lines and
-/// further rows count as a longer one; none lies inside a closed line that is not around what it
-/// names. `lines` are as they are drawn, `shapes` as they would be without gaps. The labels are
-/// placed one after the other; those that found no room, or the worst, go first in the next try.
+/// of another label, braille_beside_mm from one in the same rows, and within the zone. A leader is
+/// straight and ends on its line, or in a dot at its place; it is broken where it crosses lines,
+/// and meets no other leader. Each label takes the place with the shortest leader, where breaks,
+/// nearness to lines, parts that lines close off and further rows count as a longer one. In such a
+/// part lies no label whose leader crosses lines, unless the part is around what it names. `lines`
+/// are as they are drawn, `shapes` as they would be without gaps. The labels are placed one after
+/// the other; those that found no room, or the worst, go first in the next of four tries. At most 8
+/// 000 leaders are judged at a try.
 [[nodiscard]] LabelPlan placed_labels(const std::vector<WantedLabel>& wanted,
                                       const std::vector<SheetStroke>& lines,
                                       const std::vector<SheetStroke>& shapes, PaperSize page,

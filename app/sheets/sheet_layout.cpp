@@ -18,6 +18,7 @@ namespace {
 constexpr double most_scale = 2.0;
 constexpr double scale_step = 0.92;
 constexpr int most_scales = 10;
+constexpr int most_worse = 3;  // sizes in a row that are no better than a larger one
 constexpr double anchor_step_mm = 2.0;
 constexpr double anchor_touch_mm = 0.8;
 constexpr double anchor_off_end_mm = 6.0;   // a leader at an end would seem to go on with its line
@@ -28,7 +29,7 @@ constexpr std::size_t most_label_cells = 24;
 constexpr std::size_t most_label_rows = 4;
 
 // What a drawing costs against its size: one step of the scale is about 0.08.
-constexpr double of_unlabelled = 0.3;
+constexpr double of_unlabelled = 0.4;
 constexpr double of_left_out = 0.2;
 constexpr double of_broken = 0.1;
 constexpr double of_leader_break = 0.03;
@@ -227,14 +228,16 @@ Result<DrawnPage> best_page(const SheetMatter& matter, PaperSize size, const Lan
     DrawnPage best;
     const auto words = words_at(matter, 1.0, language);
     if (!words) return tl::unexpected(words.error());
+    int worse = 0;  // sizes in a row
     double scale = largest_scale(matter.ink, page_frame(size, *words).zone);
     for (int i = 0; i < most_scales && scale > 0.0; ++i, scale *= scale_step) {
         if (best.cost <= -std::log(scale)) break;  // no smaller one is better
         auto drawn = drawn_at(matter, size, scale, language);
         if (!drawn) return drawn;
         const bool is_whole = drawn->unlabelled.empty() && drawn->breaks == 0;
-        if (drawn->cost < best.cost) best = std::move(*drawn);
-        if (is_whole) break;  // smaller ones only lose lines
+        worse = drawn->cost < best.cost ? 0 : worse + 1;
+        if (worse == 0) best = std::move(*drawn);
+        if (is_whole || worse == most_worse) break;  // smaller ones only lose lines
     }
     return best;
 }

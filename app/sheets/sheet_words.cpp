@@ -1,10 +1,13 @@
 #include "app/sheets/sheet_words.h"
 
 #include "audio-cues/cues/guidance.h"
+#include "audio-cues/words/part_name.h"
 #include "config/types/extent.h"
 
 #include <algorithm>
 #include <iterator>
+#include <map>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -25,6 +28,24 @@ std::string listed(const std::vector<std::string>& names) {
 }
 
 }  // namespace
+
+TactileMap named_for_paper(TactileMap map, const Language& language) {
+    std::map<std::string, int> counts;
+    for (Outline& outline : map.outlines) {
+        const auto traced = traced_name(outline.label);
+        if (!traced) {
+            outline.label = part_name(outline.label, language);
+        } else if (traced->kind == "line" || traced->kind == "closed line") {
+            outline.label.clear();
+        } else {
+            std::string name = language.text("part", traced->kind);
+            const int number = ++counts[name];
+            if (number > 1) name += fmt::format(" {}", number);
+            outline.label = std::move(name);
+        }
+    }
+    return map;
+}
 
 std::vector<NamedPart> named_parts(const TactileMap& map) {
     std::vector<NamedPart> parts;

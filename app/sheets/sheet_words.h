@@ -12,6 +12,11 @@
 
 namespace touchline {
 
+/// The map with its names in the language. What tracing names by kind and place has its kind alone,
+/// the second of a kind with a number, for a hand feels where it is; a mere line has no name then,
+/// which would only take its room. O(outlines).
+[[nodiscard]] TactileMap named_for_paper(TactileMap map, const Language& language);
+
 /// A part with a name: the outlines that are called so, or a place without a line.
 struct NamedPart {
     std::string name;

@@ -86,6 +86,9 @@ inline constexpr double braille_pitch_mm = 2.5;  // dot to dot in a cell
 inline constexpr double braille_cell_mm = 6.0;   // cell to cell
 inline constexpr double braille_line_mm = 10.0;  // line to line
 inline constexpr double braille_label_mm = 8.0;  // between the dots of two labels
+/// Between two that are beside each other without a line between them: as three blank cells, for
+/// one is a space between words.
+inline constexpr double braille_beside_mm = 20.0;
 
 enum class StrokeUse : std::uint8_t { outline, leader, furniture };
 

@@ -136,7 +136,8 @@ void take(VisitWork& work, const SheetEnded& ended) {
     ++visitor.sheets;
     visitor.farewell.has_sheet = true;
     cue(work, ScreenEvent::news);
-    say_next(work, words(work, "Your sheet is in the printer."));  // Repeat says it too
+    visitor.sheet_news = 2;
+    visitor.sheet_told_s.reset();
 }
 
 std::string told_arrival(const VisitWork& work, GuideKind kind) {

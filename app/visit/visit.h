@@ -298,8 +298,10 @@ struct Visitor {
     std::optional<Loading> loading;
     std::optional<Waiting> waiting;
     bool is_capturing = false;
-    bool awaits_sheet = false;  // that is being printed
-    int sheets = 0;             // printed in this visit
+    bool awaits_sheet = false;           // that is being printed
+    int sheets = 0;                      // printed in this visit
+    int sheet_news = 0;                  // how often the last one is still to be told
+    std::optional<double> sheet_told_s;  // when it was told; none: not yet
     bool has_stick = false;
     Farewell farewell;
     std::shared_ptr<const StickList> stick_list;  // none: not read yet

@@ -314,7 +314,11 @@ bool is_printable(const VisitSheet& sheet) {
 }
 
 std::string told_printing(const VisitSheet& sheet) {
-    return sheet.visitor().awaits_sheet ? sheet.words("being printed") : std::string();
+    const Visitor& visitor = sheet.visitor();
+    if (visitor.awaits_sheet) return sheet.words("being printed");
+    if (visitor.sheets == 0) return {};
+    return sheet.language.counted("visit", "{0} sheet printed", "{0} sheets printed",
+                                  visitor.sheets);
 }
 
 /// The visit goes on meanwhile.

@@ -12,7 +12,9 @@ namespace touchline {
 namespace {
 
 constexpr double hint_after_s = 1.5;
-constexpr double hint_again_s = 30.0;  // the same hint: 10 s, and the time of other words
+constexpr double quiet_after_s = 4.0;   // longer than an item that somebody listens to on the way
+constexpr double heard_after_s = 15.0;  // words that were said before it are over
+constexpr double hint_again_s = 30.0;   // the same hint: 10 s, and the time of other words
 constexpr double progress_after_s = 0.3;
 constexpr double progress_said_after_s = 2.0;
 constexpr double progress_said_every_s = 10.5;
@@ -103,6 +105,22 @@ void say_languages(VisitWork& work) {
         say_in(work, language, language.text("visit", how, {language.name()}),
                SpeechPriority::hint);
     }
+}
+
+/// It waits for what is being said, and a key may cut both off: then it is told once more.
+void tell_of_sheet(VisitWork& work) {
+    Visitor& visitor = work.visitor;
+    const double now_s = work.site.now_s;
+    if (visitor.sheet_news == 0 || visitor.leading) return;
+    const bool is_cut_off = visitor.sheet_told_s && visitor.key_s > *visitor.sheet_told_s;
+    if (visitor.sheet_told_s && !is_cut_off) {
+        if (now_s - *visitor.sheet_told_s > heard_after_s) visitor.sheet_news = 0;
+        return;
+    }
+    if (now_s - visitor.key_s < quiet_after_s) return;
+    --visitor.sheet_news;
+    visitor.sheet_told_s = now_s;
+    say_next(work, words(work, "Your sheet is in the printer."));  // Repeat says it too
 }
 
 /// A hint that was said a moment ago stays due until it is worth hearing again.
@@ -240,6 +258,7 @@ void take(VisitWork& work, const Tick& tick) {
     if (!is_visit_on(visit_of(work))) return invite(work);
     begin_leading(work);
     tell_progress(work);
+    tell_of_sheet(work);
     give_hint(work);
     name_part(work);
     mind_practice(work);

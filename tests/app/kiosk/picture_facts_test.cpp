@@ -1,5 +1,6 @@
 #include "app/kiosk/picture_facts.h"
 
+#include "audio-cues/words/part_name.h"
 #include "config/types/thing_name.h"
 #include "vision/simplify/simplify.h"
 

@@ -120,6 +120,22 @@ TEST(SheetWords, ATextIsAPartUnlessItNamesALine) {
     EXPECT_NE(parts[1].place, parts[2].place);
 }
 
+TEST(SheetWords, WhatTracingNamesIsNamedByItsKindInTheLanguage) {
+    TactileMap map =
+        map_of_lines({line_through({{-50, 30}, {-40, 30}}, 1, "closed line, upper left"),
+                      line_through({{-30, 30}, {-25, 35}}, 1, "line 2, middle"),
+                      line_through({{0, 0}, {0, 5}}, 1, "dashed line, middle"),
+                      line_through({{9, 0}, {9, 5}}, 1, "dashed line 2, middle"),
+                      line_through({{20, 0}, {20, 5}}, 1, "left eye"),
+                      line_through({{30, 0}, {30, 5}}, 1, "Closed line, by hand")});
+    const Language german = Language::load(TOUCHLINE_CATALOGUES, "de").value();
+    std::vector<std::string> names;
+    for (const Outline& outline : named_for_paper(map, german).outlines)
+        names.push_back(outline.label);
+    EXPECT_EQ(names, (std::vector<std::string>{"", "", "gestrichelte Linie", "gestrichelte Linie 2",
+                                               "linkes Auge", "Closed line, by hand"}));
+}
+
 TEST(SheetWords, TheOnlyPartIsTheTitle) {
     EXPECT_TRUE(
         named_parts(map_of_lines({line_through({{0, 0}, {9, 9}}, 1, "Star")}, "A star")).empty());

@@ -86,6 +86,8 @@ TEST_F(PrintCommand, APhotographIsTracedAndNamedAfterItsFile) {
     std::ofstream(folder + "two rings.pgm", std::ios::binary) << pnm;
     ASSERT_EQ(print(folder + "two rings.pgm", "a.brf"), 0) << said;
     EXPECT_NE(read_text(folder + "a.brf").value().find("TWO R"), std::string::npos);
+    // A hand feels that a line is closed, and where.
+    EXPECT_EQ(read_text(folder + "a.brf").value().find("CLOSED"), std::string::npos);
 }
 
 TEST_F(PrintCommand, WhatCannotBeUsedIsOneLineAndNoFile) {

@@ -2,6 +2,7 @@
 
 #include "app/sheets/label_places.h"
 #include "app/sheets/leader_way.h"
+#include "app/sheets/paper_faces.h"
 #include "app/sheets/stroke_grid.h"
 #include "tests/app/documents/gallery/pictures.h"
 #include "tests/app/sheets/sheet_maps.h"
@@ -137,11 +138,68 @@ TEST(LabelPlaces, NoneLiesInAShapeThatItDoesNotName) {
     // What lies in the box, or is the box, may be named there.
     EXPECT_EQ(placed_labels({wanted_at({{100.0, 50.0}})}, lines, lines, page, narrow).placed.size(),
               1U);
+    // The same box in two open lines is no other box.
+    const std::vector<SheetStroke> halves{
+        {{{140.0, 14.0}, {100.0, 14.0}, {100.0, 86.0}, {140.0, 86.0}},
+         false,
+         1.25,
+         StrokeUse::outline,
+         0},
+        {{{140.0, 14.0}, {180.0, 14.0}, {180.0, 86.0}, {140.0, 86.0}},
+         false,
+         1.25,
+         StrokeUse::outline,
+         2},
+        lines[1]};
+    EXPECT_EQ(placed_labels({wanted_at({{85.0, 50.0}})}, halves, halves, page, narrow).without_room,
+              std::vector<std::size_t>{0});
     const std::vector<SheetStroke> inside{
         lines[0], {{{110.0, 30.0}, {110.0, 70.0}}, false, 1.25, StrokeUse::outline, 1}};
     EXPECT_EQ(
         placed_labels({wanted_at({{110.0, 50.0}})}, inside, inside, page, narrow).placed.size(),
         1U);
+}
+
+TEST(PaperFaces, AreWhatLinesCloseOffTogether) {
+    const PaperSize page{100.0, 100.0};
+    const SheetStroke left{
+        {{50, 20}, {20, 20}, {20, 80}, {50, 80}}, false, 1.25, StrokeUse::outline, 0};
+    SheetStroke right{{{50, 20}, {80, 20}, {80, 80}, {50, 80}}, false, 1.25, StrokeUse::outline, 1};
+    const SheetStroke eye = box_ring({40.0, 40.0, 60.0, 60.0});
+    PaperFaces faces({left, right, eye}, page);
+    EXPECT_EQ(faces.face_at({5, 5}), PaperFaces::open);
+    EXPECT_EQ(faces.face_at({-5, 500}), PaperFaces::open);
+    EXPECT_EQ(faces.face_at({20, 50}), PaperFaces::line);
+    const std::size_t body = faces.face_at({30, 50});
+    const std::size_t inner = faces.face_at({50, 50});
+    EXPECT_GT(body, PaperFaces::line);
+    EXPECT_GT(inner, PaperFaces::line);
+    EXPECT_NE(body, inner);
+    EXPECT_EQ(body, faces.face_at({70, 30}));
+    EXPECT_TRUE(faces.is_around(body, {40, 50}));
+    EXPECT_TRUE(faces.is_around(body, {50, 50}));
+    EXPECT_FALSE(faces.is_around(body, {20, 50}));
+    EXPECT_FALSE(faces.is_around(inner, {30, 50}));
+    right.points.back() = {53, 80};  // a gap
+    EXPECT_EQ(PaperFaces({left, right, eye}, page).face_at({30, 50}), PaperFaces::open);
+}
+
+/// A finger that reads on along the row must not read both as one.
+TEST(LabelPlaces, LabelsInOneRowAreFurtherApartThanWords) {
+    const PaperSize page{200.0, 60.0};
+    const PaperBox zone{10.0, 20.0, 190.0, 32.0};  // a single row
+    const auto gap_with = [&](const std::vector<SheetStroke>& lines) {
+        const auto plan = placed_labels({{0, {{75.0, 26.0}}, true, {{BrailleCells(8, 63)}}},
+                                         {1, {{130.0, 26.0}}, true, {{BrailleCells(8, 63)}}}},
+                                        lines, lines, page, zone);
+        EXPECT_EQ(plan.placed.size(), 2U);
+        return gap_mm(box_of({{}, plan.placed[0].rows}), box_of({{}, plan.placed[1].rows}));
+    };
+    EXPECT_GE(gap_with({}), braille_beside_mm);
+    const double with_line_mm =
+        gap_with({{{{102.5, 5.0}, {102.5, 55.0}}, false, 1.25, StrokeUse::outline, 0}});
+    EXPECT_LT(with_line_mm, braille_beside_mm);
+    EXPECT_GE(with_line_mm, braille_label_mm);
 }
 
 TEST(LabelPlaces, ALeaderPointsAtItsLabelFromEverySide) {

@@ -231,6 +231,18 @@ TEST(ToldLines, EverySentenceOfTheTablesIsInTheCatalogue) {
         expect(text);
 }
 
+TEST(ToldLines, EachEndOfASheetHasASentenceForVisitorsAndOneForTheStaff) {
+    for (int i = 1; i < print_end_count; ++i) {
+        for (const ToldTo to : {ToldTo::visitor, ToldTo::staff}) {
+            const std::string told = told_of_print(static_cast<PrintEnd>(i), Language(), to);
+            EXPECT_TRUE(english().contains({"trouble", told})) << told;
+            EXPECT_NE(told.find(". "), std::string::npos) << "why, and what to do: " << told;
+            const bool names_staff = told.find("staff") != std::string::npos;
+            EXPECT_FALSE(to == ToldTo::staff && names_staff) << told;
+        }
+    }
+}
+
 bool calls_the_staff(std::string_view text) {
     return text.ends_with("all the staff.");
 }

@@ -54,6 +54,30 @@ TEST(Visit, ASheetIsPrintedWhileTheVisitGoesOn) {
     EXPECT_EQ(last_sentence(house), "Your sheet is in the printer.");
 }
 
+TEST(Visit, ASheetIsToldOnceNoKeyWouldCutItOff) {
+    FakeHouse house(with_printer());
+    to_picture(house);
+    ASSERT_TRUE(house.choose(print));
+    const std::size_t from = house.transcript.size();
+    for (int i = 0; i < 10; ++i) {
+        house.press(KeyRole::down);
+        house.wait(2.5);
+    }
+    EXPECT_FALSE(house.has_said("in the printer", from)) << "the next key would have cut it off";
+    for (int i = 0; i < 2; ++i) {  // a key may have cut it off
+        const std::size_t quiet = house.transcript.size();
+        house.wait(4.0);
+        EXPECT_TRUE(house.has_said("Your sheet is in the printer.", quiet)) << i;
+        house.press(KeyRole::down);
+        house.wait(1.0);
+    }
+    const std::size_t after = house.transcript.size();
+    house.wait(5.0);
+    EXPECT_FALSE(house.has_said("in the printer", after)) << "twice is enough";
+    ASSERT_TRUE(house.find(print));
+    EXPECT_NE(last_sentence(house).find("1 sheet printed"), std::string::npos);
+}
+
 TEST(Visit, OneSheetAtATimeAndThreeAVisit) {
     FakeHouse house(with_printer());
     to_picture(house);

@@ -58,6 +58,7 @@ std::unique_ptr<OperatorSession> desk_of(const fs::path& folder, const Staging& 
     settings.first_language = staging.language;
     settings.two_switches = staging.two_switches;
     settings.offers_drawing = staging.offers_drawing;
+    if (staging.has_printer) settings.printer = "sheets";
     // Without settings there is no file.
     const std::string text = settings_text(settings, Settings{});
     if (!text.empty()) std::ofstream(files.settings.site) << text;
@@ -196,6 +197,29 @@ std::vector<FilePtr> two_hundred_and_five_files() {
 
 }  // namespace
 
+/// Takes its time for each sheet.
+class StagedPrinter final : public SitePrinter {
+  public:
+    void print(TactileMap /*map*/, PrintOrder /*order*/) override { is_begun_ = true; }
+
+    [[nodiscard]] std::optional<PrintEnd> step(const std::string& /*queue*/, double now_s,
+                                               bool /*is_watched*/) override {
+        constexpr double print_s = 15.0;
+        if (std::exchange(is_begun_, false)) due_s_ = now_s + print_s;
+        if (!due_s_ || now_s < *due_s_) return std::nullopt;
+        due_s_.reset();
+        return has_paper ? PrintEnd::printed : PrintEnd::no_paper;
+    }
+
+    [[nodiscard]] std::optional<PrintEnd> condition() const override { return PrintEnd::printed; }
+
+    bool has_paper = true;
+
+  private:
+    bool is_begun_ = false;
+    std::optional<double> due_s_;
+};
+
 StagedKiosk::StagedKiosk(const Staging& staging)
     : switches_(staging.two_switches), folder_(new_folder()) {
     auto servo = std::make_unique<SteppedServo>();
@@ -214,6 +238,11 @@ StagedKiosk::StagedKiosk(const Staging& staging)
             return JobFate{load_s, {}};
         }));
     parts.sticks = std::move(sticks);
+    if (staging.has_printer) {
+        auto printer = std::make_unique<StagedPrinter>();
+        printer_ = printer.get();
+        parts.printer = std::move(printer);
+    }
     parts.photos = std::make_unique<PhotoCapture>(std::make_unique<StagedCamera>());
     parts.operator_session = desk_of(folder_, staging, parts.languages);
     parts.settings = parts.operator_session->settings();
@@ -287,6 +316,11 @@ void StagedKiosk::pull_stick() {
     tell("pulls the USB stick out");
     sticks_->pull();
     listen();
+}
+
+void StagedKiosk::empty_printer() {
+    tell("the printer has run out of paper");
+    printer_->has_paper = false;
 }
 
 void StagedKiosk::break_device() {

@@ -24,7 +24,10 @@ struct Staging {
     std::string language = "en";  // in which visits begin
     SwitchUse two_switches = SwitchUse::none;
     bool offers_drawing = false;
+    bool has_printer = false;
 };
+
+class StagedPrinter;
 
 class StagedKiosk : private Pinned {
   public:
@@ -47,6 +50,9 @@ class StagedKiosk : private Pinned {
 
     /// The board has power again, and the person does what homing says.
     void home_device();
+
+    /// The next sheet finds no paper.
+    void empty_printer();
 
     /// Follows the first line of what is felt for so long, at a slow pace.
     void follow_a_line(double for_s);
@@ -105,8 +111,9 @@ class StagedKiosk : private Pinned {
     SwitchUse switches_ = SwitchUse::none;
     std::filesystem::path folder_;
     std::shared_ptr<Hearing> hearing_ = std::make_shared<Hearing>();
-    SteppedServo* servo_ = nullptr;    // owned by the kiosk
-    SimFileSource* sticks_ = nullptr;  // likewise
+    SteppedServo* servo_ = nullptr;     // owned by the kiosk
+    SimFileSource* sticks_ = nullptr;   // likewise
+    StagedPrinter* printer_ = nullptr;  // likewise
     std::unique_ptr<Kiosk> kiosk_;
 };
 

@@ -310,6 +310,27 @@ void operators_visit(StagedKiosk& kiosk) {
     choose(kiosk, OperatorAction::leave);
 }
 
+/// One sheet is printed while the visitor goes on; the next finds no paper.
+void print(StagedKiosk& kiosk) {
+    begin(kiosk);
+    open_picture_of_gallery(kiosk, 0);
+    kiosk.choose(VisitItem::print_sheet);
+    kiosk.choose(VisitItem::tell_again);
+    kiosk.do_nothing(15.0);
+    kiosk.listen();
+    kiosk.press(KeyRole::repeat);
+    kiosk.listen();
+    kiosk.empty_printer();
+    kiosk.choose(VisitItem::print_sheet);
+    kiosk.press(KeyRole::select);
+    kiosk.listen();
+    kiosk.wait_for(VisitScreen::trouble);
+    kiosk.press(KeyRole::select);
+    kiosk.listen();
+    go_back(kiosk);
+    finish(kiosk);
+}
+
 /// Every other key is an item.
 void two_switches(StagedKiosk& kiosk) {
     begin(kiosk);
@@ -354,6 +375,7 @@ constexpr std::array plans{
     VisitPlan{"photograph", photograph},
     VisitPlan{"document", document},
     VisitPlan{"drawing", drawing, SwitchUse::none, true},
+    VisitPlan{"print", print, SwitchUse::none, false, true},
     VisitPlan{"settings", settings},
     VisitPlan{"trouble", trouble},
     VisitPlan{"time-out", time_out},
@@ -369,7 +391,7 @@ std::span<const VisitPlan> visit_plans() {
 }
 
 Transcript act_out(const VisitPlan& plan, const std::string& language) {
-    StagedKiosk kiosk({language, plan.two_switches, plan.offers_drawing});
+    StagedKiosk kiosk({language, plan.two_switches, plan.offers_drawing, plan.has_printer});
     try {
         plan.act(kiosk);
     } catch (const std::runtime_error& error) {

@@ -15,6 +15,7 @@ struct VisitPlan {
     void (*act)(StagedKiosk& kiosk);
     SwitchUse two_switches = SwitchUse::none;
     bool offers_drawing = false;
+    bool has_printer = false;
 };
 
 /// Returns the plans: visitors of every kind, and the staff.
