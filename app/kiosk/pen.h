@@ -26,10 +26,11 @@ class Pen {
   public:
     /// Follows the pen over an area. Returns the stroke when the pen is lifted, an eraser's already
     /// when it is pressed. A press beside the area draws nothing, nor does one that is not finite.
+    /// Of a stroke longer than most_way_m, its way to there is kept, and one point beyond.
     [[nodiscard]] std::optional<PenStroke> step(const PenChange& change, const Area& area);
 
     /// Forgets the stroke that is under way.
-    void drop() { line_.clear(); }
+    void drop();
 
     [[nodiscard]] bool is_down() const { return !line_.empty(); }
 
@@ -40,6 +41,7 @@ class Pen {
     void add(Position place_W);
 
     std::vector<Position> line_;
+    double way_m_ = 0.0;  // of the line
 };
 
 }  // namespace touchline

@@ -354,7 +354,8 @@ struct VisitStep {
 /// True while somebody is here: nothing of the visit may be lost, and time-outs run.
 [[nodiscard]] bool is_visit_on(const Visit& visit);
 
-/// True while a drawing is open, and the pen may draw: Visitor::drawing has a value.
+/// True while a drawing is open, also under another screen such as the values of a setting, and the
+/// pen may draw: Visitor::drawing has a value.
 [[nodiscard]] bool takes_pen(const Visit& visit);
 
 [[nodiscard]] const Language& language_of(const Visit& visit, const VisitWorld& world);

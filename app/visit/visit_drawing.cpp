@@ -2,6 +2,7 @@
 // is said of it, and what of it the visitor can do alone.
 #include "app/visit/visit_menu.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -19,11 +20,13 @@ const char* words_of(DrawingRefusal refusal) {
         case DrawingRefusal::too_short:
             return "That line is too short to be felt.";
         case DrawingRefusal::too_long:
-            return "That line is too long. Draw it in parts.";
+            return "That line was too long and was not taken. Draw it in parts.";
+        case DrawingRefusal::scribbled:
+            return "That line crosses itself too often and was not taken. Draw it in parts.";
         case DrawingRefusal::full:
-            return "The drawing is full. Erase a line first.";
+            return "That line was not taken, for the drawing is full. Erase another one first.";
         case DrawingRefusal::nothing_near:
-            return "No line is near enough.";
+            return "No line is near enough. Go closer to one.";
         case DrawingRefusal::nothing_to_undo:
             return "There is nothing to undo.";
         case DrawingRefusal::nothing_to_redo:
@@ -72,24 +75,41 @@ void change_by_pen(VisitWork& work, const Drawing::Or<Drawing>& next, bool is_dr
     say_next(work, told);
 }
 
+/// The focus stays on the item that was chosen, or goes to the one that takes it back: never to
+/// the one that takes its place on the screen, which may erase.
+void keep_focus(VisitWork& work, VisitItem chosen, VisitItem other) {
+    const SpokenScreen screen = screen_of(work);
+    for (const VisitItem item : {chosen, other}) {
+        const auto place = place_of(screen.items, static_cast<int>(item));
+        if (!place) continue;
+        work.visitor.path.back().focus = *place;
+        return;
+    }
+}
+
 /// The same, chosen by the visitor, who waits for the answer.
-void change_by_item(VisitWork& work, const Drawing::Or<Drawing>& next) {
+void change_by_item(VisitWork& work, const Drawing::Or<Drawing>& next, VisitItem chosen,
+                    VisitItem other) {
     if (!next) refuse(work);
     const std::string told = take_next(work, next, false);
+    keep_focus(work, chosen, other);
     say_item(work, told);
 }
 
 void undo_line(VisitWork& work) {
-    change_by_item(work, work.visitor.drawing->undone());
+    change_by_item(work, work.visitor.drawing->undone(), VisitItem::undo_line,
+                   VisitItem::redo_line);
 }
 
 void redo_line(VisitWork& work) {
-    change_by_item(work, work.visitor.drawing->redone());
+    change_by_item(work, work.visitor.drawing->redone(), VisitItem::redo_line,
+                   VisitItem::undo_line);
 }
 
 void erase_line_here(VisitWork& work) {
     change_by_item(
-        work, work.visitor.drawing->without_line_near(work.visitor.handle.place_W, erase_reach_m));
+        work, work.visitor.drawing->without_line_near(work.visitor.handle.place_W, erase_reach_m),
+        VisitItem::erase_line, VisitItem::undo_line);
 }
 
 bool can_undo(const VisitSheet& sheet) {
@@ -109,7 +129,7 @@ using I = VisitItem;
 
 constexpr auto drawing_items = std::to_array<VisitItemRow>({
     {S::picture, I::undo_line, "Undo in the drawing", undo_line, nullptr, can_undo},
-    {S::picture, I::redo_line, "Do it again in the drawing", redo_line, nullptr, can_redo},
+    {S::picture, I::redo_line, "Bring back what was undone", redo_line, nullptr, can_redo},
     {S::picture, I::erase_line, "Erase the line under my hand", erase_line_here, nullptr, has_line},
 });
 
@@ -143,7 +163,9 @@ void draw_for_me(VisitWork& work) {
 bool takes_pen(const Visit& visit) {
     const Visitor& visitor = visit.visitor;
     return visitor.drawing != nullptr &&
-           row_of(visitor.path.back().screen).view == ScreenView::picture;
+           std::ranges::any_of(visitor.path, [](const Standing& standing) {
+               return standing.screen == VisitScreen::picture;
+           });
 }
 
 void feel_drawing(VisitWork& work) {
@@ -195,7 +217,7 @@ void take(VisitWork& work, const DrawerKeyPressed& pressed) {
     work.visitor.active_s = work.site.now_s;
     work.visitor.is_erasing = true;
     cue(work, ScreenEvent::news);
-    say_next(work, words(work, "Touch the line to be erased with the pen."));
+    say_next(work, words(work, "With the pen, touch the line to erase."));
 }
 
 }  // namespace touchline

@@ -187,9 +187,10 @@ SpokenScreen screen_of(const Visit& visit, const VisitWorld& world) {
     if (row.back_item != nullptr) add_item(sheet, VisitItem::back, row.back_item);
     if (open.screen != VisitScreen::help) set_focus(sheet.screen, open.focus);
     mind_the_only_item(sheet);
-    // A picture stays in view beneath what lies over it.
+    // A picture stays in view beneath what lies over it, and while somebody may draw in it.
     const ScreenView beneath = row_of(visitor.path.back().screen).view;
-    sheet.screen.view = beneath == ScreenView::picture ? beneath : row.view;
+    const bool is_beneath = beneath == ScreenView::picture || takes_pen(visit);
+    sheet.screen.view = is_beneath ? ScreenView::picture : row.view;
     sheet.screen.way = way_to(sheet);
     sheet.screen.takes_any_key = row.any_key != nullptr || visitor.leading.has_value();
     return sheet.screen;

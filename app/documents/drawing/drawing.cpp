@@ -17,6 +17,18 @@ double length_m(std::span<const Position> points) {
     return sum_m;
 }
 
+/// The way of a pen; places that are not finite are none.
+double way_m(std::span<const Position> stroke_W) {
+    double sum_m = 0.0;
+    const Position* last = nullptr;
+    for (const Position& p : stroke_W) {
+        if (!is_finite(p)) continue;
+        if (last != nullptr) sum_m += norm(p - *last);
+        last = &p;
+    }
+    return sum_m;
+}
+
 double length_m(const DrawnLine& line) {
     double sum_m = 0.0;
     for (const Outline& outline : line.outlines) {
@@ -71,18 +83,23 @@ Drawing Drawing::with(Lines lines) const {
 }
 
 Drawing::Or<Drawing> Drawing::with_stroke(std::span<const Position> stroke_W) const {
-    if (stroke_W.size() > most_stroke_points) return Refused(DrawingRefusal::too_long);
+    if (stroke_W.size() > most_stroke_points || !(way_m(stroke_W) <= most_way_m))
+        return Refused(DrawingRefusal::too_long);
     if (lines().size() >= most_lines) return Refused(DrawingRefusal::full);
     DrawnLine line;
-    if (!lines().empty()) line.number = lines().back()->number + 1;
-    line.outlines = touch_lines(stroke_W, outlines_of(lines()), area_);
+    line.number = last_number_ + 1;
+    auto outlines = touch_lines(stroke_W, outlines_of(lines()), area_);
+    if (!outlines) return Refused(DrawingRefusal::scribbled);
+    line.outlines = std::move(*outlines);
     if (line.outlines.empty()) return Refused(DrawingRefusal::too_short);
     const double line_m = length_m(line);
     if (!(line_m <= most_stroke_m)) return Refused(DrawingRefusal::too_long);
     if (!(length_m(lines()) + line_m <= most_drawn_m)) return Refused(DrawingRefusal::full);
-    Lines next = lines();
-    next.push_back(std::make_shared<const DrawnLine>(std::move(line)));
-    return with(std::move(next));
+    Lines lines_then = lines();
+    lines_then.push_back(std::make_shared<const DrawnLine>(std::move(line)));
+    Drawing next = with(std::move(lines_then));
+    ++next.last_number_;
+    return next;
 }
 
 Drawing::Or<Drawing> Drawing::without_line_near(Position place_W, double reach_m) const {

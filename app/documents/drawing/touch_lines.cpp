@@ -3,6 +3,7 @@
 #include "config/types/map_frame.h"
 #include "vision/contour/chain.h"
 #include "vision/simplify/detail_limits.h"
+#include "vision/simplify/segment_grid.h"
 #include "vision/simplify/shaping.h"
 #include "vision/simplify/surroundings.h"
 #include "vision/simplify/zoom.h"
@@ -11,13 +12,15 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
-#include <optional>
+#include <utility>
 
 namespace touchline {
 namespace {
 
-constexpr double step_mm = 0.5;         // between points: finer than a fingertip tells
-constexpr double meeting_mm = 2.0;      // an end this near to a line is meant to meet it
+constexpr double step_mm = 0.5;     // between points: finer than a fingertip tells
+constexpr double meeting_mm = 2.0;  // an end this near to a line is meant to meet it
+constexpr double look_cell_mm = 2.0;
+constexpr std::size_t most_near = 40;   // segments of the same stroke beside one, on average
 constexpr double closing_share = 0.25;  // of a stroke's length: a longer gap is meant to be open
 
 cv::Size2d size_mm(const Area& area) {
@@ -84,20 +87,43 @@ Chain with_even_points(Chain line) {
     return line;
 }
 
+/// Looks once over the line, and no longer than it takes to know; taking it apart looks again for
+/// each crossing.
+bool is_scribble(const Chain& line, const Area& area) {
+    SegmentGrid grid(size_mm(area), look_cell_mm);
+    const std::size_t count = line.points.size() - (line.is_closed ? 0 : 1);
+    std::vector<std::size_t> seen_from(count, count);  // a grid tells some segments twice
+    std::size_t near = 0;
+    std::size_t crossings = 0;
+    for (std::size_t i = 0; i < count && near <= most_near * count && crossings <= most_crossings;
+         ++i) {
+        const LineSegment here{line.points[i].at, line.points[(i + 1) % line.points.size()].at, 0,
+                               i};
+        grid.near(here.a, here.b, 0.0, [&](const LineSegment& before) {
+            if (before.index + 1 >= i || std::exchange(seen_from[before.index], i) == i) return;
+            ++near;
+            if (crossing_of(before, here)) ++crossings;
+        });
+        grid.add(here);
+    }
+    return near > most_near * count || crossings > most_crossings;
+}
+
 }  // namespace
 
-std::vector<Outline> touch_lines(std::span<const Position> stroke_W,
-                                 std::span<const Outline> others, const Area& area) {
+std::optional<std::vector<Outline>> touch_lines(std::span<const Position> stroke_W,
+                                                std::span<const Outline> others, const Area& area) {
+    std::vector<Outline> outlines;
     Chain line = read_stroke(stroke_W, area);
-    if (line.points.size() < 2 || length_of(line) < shortest_line_mm) return {};
+    if (line.points.size() < 2 || length_of(line) < shortest_line_mm) return outlines;
     join_ends(line, others, area);
     const DetailLimits limits = limits_for(most_detail, area);
     const Chain smooth = shaped(with_even_points(std::move(line)),
                                 {step_mm, limits.tolerance_mm, limits.least_feature_mm});
+    if (is_scribble(smooth, area)) return std::nullopt;
     const std::vector<Chain> parts = without_self_crossings(smooth, least_apart_mm);
     const double sum_mm = std::transform_reduce(parts.begin(), parts.end(), 0.0, std::plus<>(),
                                                 [](const Chain& part) { return length_of(part); });
-    std::vector<Outline> outlines;
     if (!(sum_mm >= shortest_line_mm)) return outlines;
     for (const Chain& part : parts) outlines.push_back(outline_of(part, area));
     return outlines;

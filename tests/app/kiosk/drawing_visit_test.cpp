@@ -203,6 +203,20 @@ TEST(DrawingVisit, ThePenDrawsOnlyOnADrawingThatIsOnTheScreen) {
     EXPECT_EQ(lines_felt(world), 0U);
 }
 
+TEST(DrawingVisit, AVisitorWhoSetsTheFirmnessEndsNoStroke) {
+    WallWorld world;
+    BlindVisitor visitor(world);
+    to_drawing(world, visitor);
+    world.kiosk().change_pen({PenMotion::press, floor_left});
+    world.kiosk().change_pen({PenMotion::move, floor_right});
+    ASSERT_TRUE(visitor.choose("Firmness")) << visitor.heard();
+    ASSERT_EQ(open_screen(world.kiosk().visit()), VisitScreen::values);
+    EXPECT_TRUE(world.kiosk().pen().is_down());
+    world.kiosk().change_pen({PenMotion::lift, floor_right});
+    EXPECT_EQ(lines_felt(world), 1U);
+    EXPECT_TRUE(visitor.wait_for("Line 1 is finished.")) << visitor.heard();
+}
+
 /// The operator keeps it; a technician brings it back on a stick, and it is felt as it was drawn.
 TEST(DrawingVisit, WhatTheOperatorKeepsIsAPictureThatTheKioskOpensAgain) {
     WallWorld world;

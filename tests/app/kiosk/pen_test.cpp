@@ -52,10 +52,22 @@ TEST(Pen, AStrokeWithoutEndStaysBounded) {
     Pen pen;
     (void)pen.step({PenMotion::press, {}}, Area{});
     for (std::size_t i = 0; i < 2 * most_stroke_points; ++i)
-        (void)pen.step({PenMotion::move, {1e-6 * static_cast<double>(i), 0.0}}, Area{});
+        (void)pen.step({PenMotion::move, {i % 2 == 0 ? 0.05 : -0.05, 0.0}}, Area{});
+    EXPECT_LE(pen.line().size(), 23U) << "the screen shows it in each frame";
     const auto stroke = pen.step({PenMotion::lift, {}}, Area{});
     ASSERT_TRUE(stroke);
-    EXPECT_EQ(stroke->points_W.size(), most_stroke_points + 1);
+    EXPECT_EQ(Drawing(7).with_stroke(stroke->points_W).error(), DrawingRefusal::too_long);
+    (void)pen.step({PenMotion::press, {}}, Area{});
+    (void)pen.step({PenMotion::move, {0.05, 0.0}}, Area{});
+    EXPECT_EQ(pen.line().size(), 2U) << "the next stroke has all its way before it";
+}
+
+TEST(Pen, ATrembleInOnePlaceIsNoWay) {
+    Pen pen;
+    (void)pen.step({PenMotion::press, {}}, Area{});
+    for (int i = 0; i < 100'000; ++i)
+        (void)pen.step({PenMotion::move, {i % 2 == 0 ? 5e-5 : -4e-5, 0.0}}, Area{});
+    EXPECT_EQ(pen.line().size(), 1U);
 }
 
 }  // namespace

@@ -82,18 +82,45 @@ TEST(VisitDrawing, WhatTheDrawerDoesMovesNoFocusAndOpensNothing) {
     draw(house, 0.0);
     ASSERT_TRUE(house.find("Firmness"));
     house.press(KeyRole::select);
+    ASSERT_EQ(house.open(), VisitScreen::values);
+    EXPECT_EQ(house.screen().view, ScreenView::picture) << "who draws must see the drawing";
     const auto path = house.visit.visitor.path;
-    draw(house, 0.02);  // another screen covers the picture, so there is nothing to draw on
-    EXPECT_EQ(line_count(house), 1U);
+    draw(house, 0.01);
+    EXPECT_EQ(line_count(house), 2U) << "a setting's values lie over the drawing, and end no line";
+    EXPECT_EQ(house.open(), VisitScreen::values);
     house.press(KeyRole::back);
     const std::size_t focus = house.visit.visitor.path.back().focus;
     draw(house, 0.02);
     house.apply(DrawerKeyPressed{DrawerKey::undo});
     house.apply(DrawerKeyPressed{DrawerKey::redo});
-    EXPECT_EQ(line_count(house), 2U);
+    EXPECT_EQ(line_count(house), 3U);
     EXPECT_EQ(house.visit.visitor.path.back().focus, focus);
     EXPECT_EQ(house.open(), VisitScreen::picture);
     EXPECT_EQ(path.size(), house.visit.visitor.path.size() + 1);
+}
+
+/// Two presses of the same key must not erase.
+TEST(VisitDrawing, WhoBringsBackStandsOnUndoThen) {
+    FakeHouse house;
+    to_drawing(house);
+    const auto focused = [&house] {
+        const SpokenScreen screen = house.screen();
+        return screen.items[*screen.focus].name;
+    };
+    draw(house, 0.0);
+    draw(house, 0.02);
+    house.apply(DrawerKeyPressed{DrawerKey::undo});
+    ASSERT_TRUE(house.choose("Bring back what was undone"));
+    EXPECT_EQ(focused(), "Undo in the drawing");
+    ASSERT_TRUE(house.choose("Undo in the drawing"));
+    EXPECT_EQ(focused(), "Undo in the drawing");
+    house.press(KeyRole::select);  // takes the first line away, and the list of parts with it
+    EXPECT_EQ(line_count(house), 0U);
+    EXPECT_EQ(focused(), "Bring back what was undone");
+    house.press(KeyRole::select);
+    house.apply(HandleSeen{{0.0, 0.0005}, std::nullopt, true});
+    ASSERT_TRUE(house.choose("Erase the line under my hand"));
+    EXPECT_EQ(focused(), "Undo in the drawing") << "no line is left to erase";
 }
 
 /// With the first line come items that stand before the one that was heard.
@@ -124,13 +151,13 @@ TEST(VisitDrawing, TheEraserTakesTheNearestLineAndDeleteMakesThePenOneOnce) {
     EXPECT_EQ(house.last_said(), "Line 2 is gone.");
     EXPECT_EQ(line_count(house), 2U);
     house.apply(DrawerKeyPressed{DrawerKey::erase});
-    EXPECT_EQ(house.last_said(), "Touch the line to be erased with the pen.");
+    EXPECT_EQ(house.last_said(), "With the pen, touch the line to erase.");
     house.apply(PenStroke{{{0.0, 0.019}}});
     EXPECT_EQ(house.last_said(), "Line 3 is gone.");
     draw(house, 0.03);
-    EXPECT_EQ(house.last_said(), "Line 2 is finished.");
+    EXPECT_EQ(house.last_said(), "Line 4 is finished.") << "Line 3 is gone, as was said";
     house.apply(PenStroke{{{0.0, -0.035}}, true});
-    EXPECT_EQ(house.last_said(), "No line is near enough.");
+    EXPECT_EQ(house.last_said(), "No line is near enough. Go closer to one.");
     EXPECT_EQ(line_count(house), 2U);
 }
 
@@ -148,7 +175,7 @@ TEST(VisitDrawing, UndoAndRedoByKeysAndByTheVisitor) {
     EXPECT_EQ(house.last_said(), "There is nothing to bring back.");
     ASSERT_TRUE(house.choose("Undo in the drawing"));
     EXPECT_TRUE(house.last_said().starts_with("Line 2 is gone.")) << house.last_said();
-    ASSERT_TRUE(house.choose("Do it again in the drawing"));
+    ASSERT_TRUE(house.choose("Bring back what was undone"));
     EXPECT_TRUE(house.last_said().starts_with("Line 2 is back.")) << house.last_said();
     house.apply(HandleSeen{{0.0, 0.0005}, std::nullopt, true});
     ASSERT_TRUE(house.choose("Erase the line under my hand"));
@@ -161,6 +188,10 @@ TEST(VisitDrawing, WhatCannotBeDrawnIsToldAndChangesNothing) {
     house.apply(PenStroke{{{0.0, 0.0}, {0.001, 0.0}}});
     EXPECT_EQ(house.last_said(), "That line is too short to be felt.");
     EXPECT_TRUE(house.last<FeelDrawing>().empty());
+    PenStroke scribble;
+    for (int i = 0; i < 1000; ++i) scribble.points_W.push_back({i % 2 == 0 ? 0.05 : -0.05, 0.0});
+    house.apply(scribble);
+    EXPECT_EQ(house.last_said(), "That line was too long and was not taken. Draw it in parts.");
     house.apply(PenStroke{});
     EXPECT_EQ(line_count(house), 0U);
 }

@@ -112,6 +112,15 @@ TEST(DrawingTest, TooMuchIsToldAndChangesNothing) {
     EXPECT_EQ(wide.with_stroke(stroke({-0.05, 0.01}, {0.05, 0.01})).error(), DrawingRefusal::full);
 }
 
+TEST(DrawingTest, NoNumberIsGivenTwice) {
+    const Drawing erased = three_lines().without_line_near({0.0, 0.02}, reach_m).value();
+    EXPECT_EQ(numbers_of(erased.with_stroke(level_stroke(0.03)).value()), (std::vector{1, 2, 4}));
+    Drawing empty = three_lines();
+    while (const auto before = empty.undone()) empty = *before;
+    EXPECT_EQ(numbers_of(empty.with_stroke(level_stroke(0.0)).value()), (std::vector{4}));
+    EXPECT_EQ(numbers_of(empty.redone().value()), (std::vector{1}));
+}
+
 TEST(DrawingTest, OldStepsAreForgotten) {
     Drawing drawing = Drawing(7).with_stroke(level_stroke(0.0)).value();
     for (std::size_t i = 0; i < most_undos; ++i) {
