@@ -137,7 +137,9 @@ void Kiosk::tell(const std::optional<VisitEvent>& event) {
 }
 
 void Kiosk::take(VisitStep step) {
+    const VisitScreen before = open_screen(visit_);
     visit_ = std::move(step.visit);
+    forget_words_between_visits(before);
     for (const VisitOrder& order : step.orders) std::visit(VisitOrderHandler{*this}, order);
     if (reading_language_) *reading_language_ = written_language(language().code());
 }

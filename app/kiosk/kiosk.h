@@ -81,7 +81,7 @@ class Kiosk : private Pinned {
     /// is inside.
     void change_key(const KeyChange& change);
 
-    /// Presses the first key that the table gives this role.
+    /// Presses the first key that the table gives this role; if it gives none, for the visit alone.
     void press(KeyRole role);
 
     /// A joystick's axis turned, counter-clockwise: turns a shape in the hand.
@@ -211,6 +211,7 @@ class Kiosk : private Pinned {
     void say(const Utterance& utterance);
     void follow_braille();
     void take_line_event(const LineEvent& event);
+    void forget_words_between_visits(VisitScreen before);
 
     // Keys: kiosk_keys.cpp.
     void hold_key(const KeyChange& change);

@@ -50,10 +50,13 @@ bool Kiosk::takes_operator_keys() const {
     return operator_ && operator_->is_inside() && !operator_->is_learning_keys();
 }
 
+/// The site's table need not have a key for louder and softer, which a braille display may have.
 void Kiosk::press(KeyRole role) {
-    const PhysicalKey key = keys_of(keys_.table, role).at(0);
-    change_key({key, true, false, now_s_});
-    change_key({key, false, false, now_s_});
+    const std::vector<PhysicalKey> keys = keys_of(keys_.table, role);
+    if (keys.empty() && !is_operator_in()) return press_for_visit(role);
+    if (keys.empty()) return;
+    change_key({keys.front(), true, false, now_s_});
+    change_key({keys.front(), false, false, now_s_});
 }
 
 void Kiosk::strike_operator_key(const PhysicalKey& key) {

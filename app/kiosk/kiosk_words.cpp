@@ -32,4 +32,11 @@ void Kiosk::take_line_event(const LineEvent& event) {
     apply(DeadKeyPressed{});
 }
 
+/// Goodbye is said after everything was forgotten, and is the last visitor's all the same.
+void Kiosk::forget_words_between_visits(VisitScreen before) {
+    const bool was_idle = before == VisitScreen::attract || before == VisitScreen::closed;
+    const bool is_over = before == VisitScreen::goodbye && open_screen(visit_) != before;
+    if (braille_ && (is_over || (was_idle && is_visit_on(visit_)))) braille_->forget();
+}
+
 }  // namespace touchline

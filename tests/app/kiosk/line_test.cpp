@@ -1,5 +1,6 @@
 // Tests what the kiosk puts on a braille display, and what it takes from its keys.
 #include "tests/app/kiosk/blind_visitor.h"
+#include "tests/machines/sim/kiosk/due_jobs.h"
 
 #include <gtest/gtest.h>
 
@@ -96,6 +97,68 @@ TEST(KioskLine, TheOperatorReadsToo) {
     EXPECT_EQ(world.line().page(),
               as_read(world.kiosk().caption(), "en").substr(0, world.line().page().size()));
     EXPECT_FALSE(world.line().page().empty());
+}
+
+/// Whether anything that can be paged to has these words.
+bool can_read(KioskWorld& world, const std::string& words) {
+    while (world.line().contents.turn(LineTurn::back, world.now_s())) continue;
+    std::string all = world.line().page();
+    while (world.line().contents.turn(LineTurn::on, world.now_s()))
+        all += ' ' + world.line().page();
+    return all.find(as_read(words, "en")) != std::string::npos;
+}
+
+TEST(KioskLine, TI2_NobodyPagesBackToTheVisitorBefore) {
+    KioskWorld world;
+    BlindVisitor visitor(world, 0.5, Sense::fingers);
+    visitor.press(KeyRole::select);
+    ASSERT_TRUE(visitor.choose("English")) << visitor.heard();
+    ASSERT_TRUE(visitor.choose("Finish")) << visitor.heard();
+    ASSERT_TRUE(visitor.choose("Yes")) << visitor.heard();
+    ASSERT_TRUE(visitor.wait_for("Goodbye")) << visitor.heard();
+    EXPECT_TRUE(can_read(world, "Goodbye"));
+    EXPECT_FALSE(can_read(world, "What to feel"));
+    world.line().press(KeyRole::select);
+    world.run(0.1);
+    EXPECT_FALSE(can_read(world, "Goodbye"));
+}
+
+TEST(KioskLine, NobodyPagesBackToAPin) {
+    KioskWorld world;
+    world.heard().headphones = true;  // so that digits are said
+    BlindVisitor staff(world, 0.2);
+    world.line().is_plugged_in = true;
+    open_status(staff);
+    ASSERT_TRUE(world.kiosk().is_operator_in());
+    EXPECT_TRUE(can_read(world, "PIN"));
+    for (int i = 0; i < 4 && world.kiosk().is_operator_in(); ++i) staff.press(KeyRole::back);
+    ASSERT_FALSE(world.kiosk().is_operator_in());
+    EXPECT_FALSE(can_read(world, "PIN"));
+}
+
+TEST(KioskLine, AKeyThatTheSiteHasNotIsPressedAllTheSame) {
+    const auto heard = std::make_shared<Heard>();
+    const auto line = std::make_shared<ReadLine>();
+    line->is_plugged_in = true;
+    double now_s = 0.0;
+    KioskParts parts;
+    parts.languages = all_languages();
+    parts.gallery = gallery_without_workers();
+    parts.servo = std::make_unique<SteppedServo>();
+    parts.sound = std::make_unique<HeardSound>(heard);
+    parts.braille = std::make_unique<ReadBraille>(line);
+    parts.profile = default_profile();
+    parts.loader = std::make_unique<Loader>(std::make_shared<const KioskStages>(parts.profile),
+                                            std::make_unique<DueJobs>(now_s));
+    parts.keys = {};
+    Kiosk kiosk(std::move(parts));
+    for (const KeyRole role : {KeyRole::select, KeyRole::softer}) {
+        line->press(role);
+        now_s += 1.0;
+        kiosk.step(static_cast<std::int64_t>(1e9 * now_s));
+    }
+    EXPECT_TRUE(is_visit_on(kiosk.visit()));
+    EXPECT_EQ(heard->wanted.volume, 2U) << "3 at first";
 }
 
 }  // namespace
