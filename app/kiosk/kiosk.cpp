@@ -202,6 +202,7 @@ void Kiosk::step(std::int64_t now_ns) {
 
 void Kiosk::tick() {
     ticked_s_ = now_s_;
+    rules_.is_operator_in = is_operator_in();
     follow_handle();
     follow_troubles();
     apply(Tick{now_s_});

@@ -2,7 +2,9 @@
 
 #include "app/isolation/process/thread_signals.h"
 
+#include <algorithm>
 #include <chrono>
+#include <exception>
 #include <utility>
 
 namespace touchline {
@@ -16,6 +18,40 @@ Printing printing_by(const PrintPrograms& programs) {
             return check_printer(queue, programs, stop);
         }};
 }
+
+namespace {
+
+/// False where a look at the queue could not tell, or could not remove what is left.
+bool is_clear(PrintEnd end) {
+    return end != PrintEnd::not_cleared && end != PrintEnd::no_service &&
+           end != PrintEnd::no_answer && end != PrintEnd::not_started;
+}
+
+/// What went wrong on the other thread comes out here.
+PrintEnd end_of(std::future<PrintEnd>& work) {
+    try {
+        return work.get();
+    } catch (const std::exception&) {
+        return PrintEnd::not_started;
+    }
+}
+
+/// On a thread of its own; a machine that has none left answers at once.
+template <class Work>
+std::future<PrintEnd> begun(Work work) {
+    try {
+        return std::async(std::launch::async, [work = std::move(work)] {
+            leave_signals_to_main_thread();
+            return work();
+        });
+    } catch (const std::exception&) {
+        std::promise<PrintEnd> answer;
+        answer.set_value(PrintEnd::not_started);
+        return answer.get_future();
+    }
+}
+
+}  // namespace
 
 /// A future of std::async waits for its thread.
 SheetPrinter::~SheetPrinter() {
@@ -37,36 +73,55 @@ std::optional<PrintEnd> SheetPrinter::step(const std::string& queue, double now_
     if (under_way_.valid()) {
         if (under_way_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
             return std::nullopt;
-        const PrintEnd end = under_way_.get();
-        if (is_sheet_) {
-            sheet_end = end;
-            looked_s_.reset();
-        } else if (looked_s_) {  // else it was another queue
-            condition_ = end;
-        }
+        const PrintEnd end = end_of(under_way_);
+        is_sheet_ ? note_sheet() : note_look(end);
+        if (is_sheet_) sheet_end = end;
     }
-    begin_next(queue, now_s, is_watched);
+    begin_next(now_s, is_watched);
     return sheet_end;
 }
 
-void SheetPrinter::begin_next(const std::string& queue, double now_s, bool is_watched) {
-    const double every_s = is_watched ? watched_check_every_s : check_every_s;
-    const bool is_check_due = !queue.empty() && (!looked_s_ || now_s - *looked_s_ >= every_s);
+void SheetPrinter::note_sheet() {
+    if (std::ranges::find(unclear_, at_) == unclear_.end()) unclear_.push_back(at_);
+    looked_s_.reset();
+    looked_back_s_.reset();
+}
+
+void SheetPrinter::note_look(PrintEnd end) {
+    if (is_clear(end)) std::erase(unclear_, at_);
+    if (at_ == queue_ && looked_s_) condition_ = end;  // else the queue was another one meanwhile
+}
+
+/// The settings name another queue now, or none.
+std::optional<std::string> SheetPrinter::left_behind() const {
+    const auto found =
+        std::ranges::find_if(unclear_, [this](const std::string& each) { return each != queue_; });
+    return found == unclear_.end() ? std::nullopt : std::optional(*found);
+}
+
+void SheetPrinter::look_at(const std::string& queue) {
+    at_ = queue;
+    under_way_ = begun(
+        [check = printing_.check, stop = stop_.get_token(), queue] { return check(queue, stop); });
+}
+
+void SheetPrinter::begin_next(double now_s, bool is_watched) {
+    const auto is_due = [now_s](const std::optional<double>& last_s, double every_s) {
+        return !last_s || now_s - *last_s >= every_s;
+    };
     is_sheet_ = waiting_.has_value();
     if (is_sheet_) {
-        under_way_ =
-            std::async(std::launch::async, [print = printing_.print, stop = stop_.get_token(),
-                                            sheet = *std::exchange(waiting_, {})] {
-                leave_signals_to_main_thread();
-                return print(sheet.map, sheet.order, stop);
-            });
-    } else if (is_check_due) {
+        at_ = waiting_->order.queue;
+        under_way_ = begun(
+            [print = printing_.print, stop = stop_.get_token(),
+             sheet = *std::exchange(waiting_, {})] { return print(sheet.map, sheet.order, stop); });
+    } else if (!queue_.empty() &&
+               is_due(looked_s_, is_watched ? watched_check_every_s : check_every_s)) {
         looked_s_ = now_s;
-        under_way_ = std::async(std::launch::async,
-                                [check = printing_.check, stop = stop_.get_token(), queue] {
-                                    leave_signals_to_main_thread();
-                                    return check(queue, stop);
-                                });
+        look_at(queue_);
+    } else if (const auto old = left_behind(); old && is_due(looked_back_s_, check_every_s)) {
+        looked_back_s_ = now_s;
+        look_at(*old);
     }
 }
 

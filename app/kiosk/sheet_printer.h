@@ -12,6 +12,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 namespace touchline {
 
@@ -44,7 +45,8 @@ class SitePrinter : public Interface {
 class SheetPrinter final : public SitePrinter {
   public:
     /// How often the queue is looked at; sooner while somebody looks at what is found, and after a
-    /// sheet that CUPS may still keep.
+    /// sheet, of which CUPS may keep something. Once the queue is another one, the one before is
+    /// looked at as often, until nothing of ours is there.
     static constexpr double check_every_s = 300.0;
     static constexpr double watched_check_every_s = 10.0;
 
@@ -64,15 +66,22 @@ class SheetPrinter final : public SitePrinter {
         PrintOrder order;
     };
 
-    void begin_next(const std::string& queue, double now_s, bool is_watched);
+    void note_sheet();
+    void note_look(PrintEnd end);
+    [[nodiscard]] std::optional<std::string> left_behind() const;
+    void look_at(const std::string& queue);
+    void begin_next(double now_s, bool is_watched);
 
     Printing printing_;
     std::stop_source stop_;
     std::optional<Sheet> waiting_;  // for a look at the queue to end
     std::future<PrintEnd> under_way_;
-    bool is_sheet_ = false;           // what is under way
-    std::string queue_;               // that was looked at last
-    std::optional<double> looked_s_;  // nothing: look as soon as possible
+    bool is_sheet_ = false;                // what is under way
+    std::string at_;                       // the queue of what is under way
+    std::string queue_;                    // of the settings
+    std::optional<double> looked_s_;       // nothing: look as soon as possible
+    std::vector<std::string> unclear_;     // queues that printed and were not seen clear since
+    std::optional<double> looked_back_s_;  // at one of these that is not queue_
     std::optional<PrintEnd> condition_;
 };
 

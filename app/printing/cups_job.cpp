@@ -1,6 +1,7 @@
 #include "app/printing/cups_job.h"
 
 #include "app/isolation/process/descriptor.h"
+#include "config/types/pinned.h"
 #include "config/types/steady_clock.h"
 
 #include <algorithm>
@@ -22,6 +23,36 @@ namespace {
 constexpr const char* our_name = "touchline";
 /// Stands in CUPS's lists and logs, so it tells nothing.
 constexpr const char* our_title = "Touchline";
+
+const char* format_of(SheetKind kind) {
+    return kind == SheetKind::embosser ? "application/vnd.cups-raw" : "application/pdf";
+}
+
+/// Nobody must print words on the back of swell paper, nor braille in another size, whatever the
+/// queue's defaults are. An embosser gets bytes, which nothing can be told of.
+class JobOptions : private Pinned {
+  public:
+    explicit JobOptions(SheetKind kind) {
+        if (kind == SheetKind::embosser) return;
+        add("sides", "one-sided");
+        add("print-scaling", "none");
+        add("media", kind == SheetKind::letter ? "na_letter_8.5x11in" : "iso_a4_210x297mm");
+    }
+
+    ~JobOptions() { cupsFreeOptions(count_, options_); }
+
+    [[nodiscard]] int count() const { return count_; }
+
+    [[nodiscard]] cups_option_t* options() const { return options_; }
+
+  private:
+    void add(const char* name, const char* value) {
+        count_ = cupsAddOption(name, value, count_, &options_);
+    }
+
+    int count_ = 0;
+    cups_option_t* options_ = nullptr;
+};
 
 using Connection = Owned<http_t, httpClose>;
 using Answer = Owned<ipp_t, ippDelete>;
@@ -77,7 +108,7 @@ class CupsWork {
     }
 
     [[nodiscard]] PrintEnd check();
-    [[nodiscard]] PrintEnd print(std::span<const std::byte> sheet, const std::string& format);
+    [[nodiscard]] PrintEnd print(std::span<const std::byte> sheet, SheetKind kind);
 
   private:
     [[nodiscard]] Answer ask(ipp_op_t what, int job, std::span<const char* const> attributes);
@@ -87,7 +118,7 @@ class CupsWork {
     [[nodiscard]] bool is_connected() const;
     [[nodiscard]] std::optional<PrintEnd> trouble();
     [[nodiscard]] std::optional<PrintEnd> send(int job, std::span<const std::byte> sheet,
-                                               const std::string& format);
+                                               SheetKind kind);
     [[nodiscard]] PrintEnd follow(int job);
 
     const CupsQueue& queue_;
@@ -151,6 +182,7 @@ bool CupsWork::remove_ours_later() {
          wait(patience_.poll_s)) {
         connection_ = connection_to(queue_, patience_);
         if (connection_ && remove_ours()) return true;
+        if (patience_.has_to_end()) return false;
     }
     return false;
 }
@@ -205,11 +237,10 @@ std::optional<PrintEnd> CupsWork::trouble() {
 }
 
 /// Nothing: CUPS has all of it.
-std::optional<PrintEnd> CupsWork::send(int job, std::span<const std::byte> sheet,
-                                       const std::string& format) {
+std::optional<PrintEnd> CupsWork::send(int job, std::span<const std::byte> sheet, SheetKind kind) {
     const std::string_view bytes(reinterpret_cast<const char*>(sheet.data()), sheet.size());
     http_status_t status = cupsStartDocument(connection_.get(), queue_.name.c_str(), job, our_title,
-                                             format.c_str(), 1);
+                                             format_of(kind), 1);
     if (status == HTTP_STATUS_CONTINUE)
         status = cupsWriteRequestData(connection_.get(), bytes.data(), bytes.size());
     const ipp_status_t said = cupsFinishDocument(connection_.get(), queue_.name.c_str());
@@ -231,6 +262,7 @@ PrintEnd CupsWork::follow(int job) {
     double well_s = now_s();
     for (; now_s() < end_s; wait(patience_.poll_s)) {
         if (!is_connected()) return PrintEnd::no_answer;
+        if (patience_.has_to_end()) return PrintEnd::out_of_time;
         const Answer answer = ask(IPP_OP_GET_JOB_ATTRIBUTES, job, wanted);
         // Where CUPS keeps no history, a job that is done is gone; one that failed leaves its
         // printer in trouble.
@@ -255,7 +287,7 @@ PrintEnd CupsWork::check() {
     if (!connection_) return PrintEnd::no_service;
     if (!remove_ours()) {
         const PrintEnd end = end_of(cupsLastError());
-        return end == PrintEnd::unknown || end == PrintEnd::no_answer ? end : PrintEnd::not_removed;
+        return end == PrintEnd::unknown || end == PrintEnd::no_answer ? end : PrintEnd::not_cleared;
     }
     return trouble().value_or(PrintEnd::printed);
 }
@@ -266,13 +298,15 @@ bool may_be_over(PrintEnd end) {
     return end == PrintEnd::no_paper || end == PrintEnd::needs_hand || end == PrintEnd::offline;
 }
 
-PrintEnd CupsWork::print(std::span<const std::byte> sheet, const std::string& format) {
+PrintEnd CupsWork::print(std::span<const std::byte> sheet, SheetKind kind) {
     const PrintEnd before = check();
-    if (before == PrintEnd::not_removed) return PrintEnd::refused;  // this one would stay as well
     if (before != PrintEnd::printed && !may_be_over(before)) return before;
-    const int job = cupsCreateJob(connection_.get(), queue_.name.c_str(), our_title, 0, nullptr);
+    if (patience_.has_to_end()) return PrintEnd::out_of_time;
+    const JobOptions told(kind);
+    const int job = cupsCreateJob(connection_.get(), queue_.name.c_str(), our_title, told.count(),
+                                  told.options());
     if (job <= 0) return end_of(cupsLastError());
-    const auto unsent = send(job, sheet, format);
+    const auto unsent = send(job, sheet, kind);
     const PrintEnd end = unsent ? *unsent : follow(job);
     if (end == PrintEnd::no_answer) {
         (void)remove_ours_later();
@@ -284,10 +318,10 @@ PrintEnd CupsWork::print(std::span<const std::byte> sheet, const std::string& fo
 
 }  // namespace
 
-PrintEnd print_by_cups(const CupsQueue& queue, std::span<const std::byte> sheet,
-                       const std::string& format, const PrintPatience& patience) {
+PrintEnd print_by_cups(const CupsQueue& queue, std::span<const std::byte> sheet, SheetKind kind,
+                       const PrintPatience& patience) {
     cupsSetUser(our_name);
-    return CupsWork(queue, patience).print(sheet, format);
+    return CupsWork(queue, patience).print(sheet, kind);
 }
 
 PrintEnd check_at_cups(const CupsQueue& queue, const PrintPatience& patience) {

@@ -29,7 +29,11 @@ std::string_view line_of(PrintEnd end) {
         case PrintEnd::out_of_time:
             return "the printer took too long for a sheet; see to it";
         case PrintEnd::not_removed:
-            return "the sheet is printed, but CUPS keeps it; let the kiosk remove its own jobs";
+            return "the sheet is printed, but CUPS keeps it; 'cancel -a -x PRINTER' removes it";
+        case PrintEnd::not_cleared:
+            return "CUPS keeps sheets of before, so none is printed; 'cancel -a -x PRINTER' "
+                   "removes "
+                   "them";
         case PrintEnd::no_sheet:
             return "no sheet can be made of this picture";
         case PrintEnd::not_started:

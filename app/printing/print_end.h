@@ -23,11 +23,12 @@ enum class PrintEnd : std::uint8_t {
     failed,       // the printer's own programs gave up, or somebody cancelled the job
     out_of_time,  // the printer took longer than a sheet can take
     not_removed,  // printed, but CUPS keeps the job
+    not_cleared,  // nothing was printed: CUPS keeps jobs of before, and would keep this one
     no_sheet,     // no sheet could be made of the picture
     not_started,  // a program of ours is missing or refuses to work
 };
 
-inline constexpr int print_end_count = 14;
+inline constexpr int print_end_count = 15;
 
 /// Of what is printed; far more than any sheet has.
 inline constexpr std::size_t most_sheet_bytes = std::size_t{64} << 20U;
@@ -48,11 +49,5 @@ inline constexpr int first_print_status = 100;
 
 /// For the log and for whoever runs the kiosk: what, why and what to do, without a full stop.
 [[nodiscard]] std::string_view line_of(PrintEnd end);
-
-/// Whether a job may still lie in CUPS's spool, to be removed by a later check.
-[[nodiscard]] constexpr bool may_be_left(PrintEnd end) {
-    return end == PrintEnd::no_answer || end == PrintEnd::not_removed ||
-           end == PrintEnd::out_of_time;
-}
 
 }  // namespace touchline

@@ -19,8 +19,9 @@ namespace {
 constexpr double print_deadline_s = 240.0;
 constexpr double slice_s = 0.1;
 
-std::string format_of(SheetKind kind) {
-    return kind == SheetKind::embosser ? "application/vnd.cups-raw" : "application/pdf";
+/// As both programs take it.
+std::string word_of(SheetKind kind) {
+    return std::to_string(static_cast<int>(kind));
 }
 
 PrintEnd end_of_program(const std::string& program, const std::vector<std::string>& words,
@@ -48,10 +49,10 @@ Result<Descriptor, PrintEnd> sheet_of(const TactileMap& map, const PrintOrder& o
     if (!bytes) return tl::unexpected(PrintEnd::no_sheet);
     const auto input = sealed_copy(*bytes);
     if (!input) return tl::unexpected(PrintEnd::not_started);
-    const std::string kind = std::to_string(static_cast<int>(order.kind));
-    auto sheet = run_worker(
-        {programs.sheet, {kind, order.language, programs.words_folder}, WorkerKind::document},
-        *input);
+    auto sheet = run_worker({programs.sheet,
+                             {word_of(order.kind), order.language, programs.words_folder},
+                             WorkerKind::document},
+                            *input);
     if (sheet) return std::move(*sheet);
     return tl::unexpected(sheet.error() == WorkerEnd::not_started ? PrintEnd::not_started
                                                                   : PrintEnd::no_sheet);
@@ -61,8 +62,9 @@ PrintEnd print_map(const TactileMap& map, const PrintOrder& order, const PrintPr
                    const std::stop_token& stop) {
     const auto sheet = sheet_of(map, order, programs);
     if (!sheet) return sheet.error();
+    if (stop.stop_requested()) return PrintEnd::out_of_time;
     const std::array<const Descriptor*, 1> handed{&*sheet};
-    return end_of_program(programs.print, {"print", order.queue, format_of(order.kind)}, handed,
+    return end_of_program(programs.print, {"print", order.queue, word_of(order.kind)}, handed,
                           stop);
 }
 

@@ -30,9 +30,9 @@ struct PrintPrograms {
 [[nodiscard]] Result<Descriptor, PrintEnd> sheet_of(const TactileMap& map, const PrintOrder& order,
                                                     const PrintPrograms& programs);
 
-/// Makes the sheet and prints it. Takes as long as the printer does, at most some four minutes;
-/// once `stop` is requested it returns `out_of_time` within 0.1 s, and the program that prints
-/// ends by itself.
+/// Makes the sheet and prints it. Takes as long as the printer does, at most some four minutes.
+/// Once `stop` is requested it returns `out_of_time`: within 0.1 s if the sheet is made, and the
+/// program that prints ends by itself; else once it is made, and nothing is printed.
 [[nodiscard]] PrintEnd print_map(const TactileMap& map, const PrintOrder& order,
                                  const PrintPrograms& programs, const std::stop_token& stop);
 

@@ -4,6 +4,7 @@
 #include "app/sheets/braille_sheet.h"
 #include "app/sheets/sheet_drawing.h"
 #include "app/sheets/sheet_layout.h"
+#include "app/sheets/sheet_words.h"
 #include "audio-cues/words/language.h"
 #include "config/types/choices.h"
 #include "config/types/map_bytes.h"
@@ -60,8 +61,9 @@ std::optional<SheetKind> sheet_kind_in(const std::string& word) {
 
 /// No answer says that there is no sheet: a page of a decoder's refusal would be printed.
 Result<Bytes> answer(SheetKind kind, std::span<const std::byte> input, const Language& language) {
-    auto sheet = map_of(input).and_then(
-        [&](const TactileMap& map) { return sheet_for(kind, map, language); });
+    auto sheet = map_of(input).and_then([&](TactileMap map) {
+        return sheet_for(kind, named_for_paper(std::move(map), language), language);
+    });
     return sheet ? std::move(*sheet) : Bytes();
 }
 

@@ -173,6 +173,9 @@ struct PrintWords {
 
 constexpr std::string_view no_printer = "The printer cannot be used now. Please call the staff.";
 
+constexpr std::string_view printed_is_kept =
+    "CUPS keeps printed sheets. The manual says how to remove them.";
+
 // In the order of PrintEnd.
 constexpr std::array<PrintWords, print_end_count> print_ends{{
     {},
@@ -182,7 +185,7 @@ constexpr std::array<PrintWords, print_end_count> print_ends{{
     {"The printer is switched off. Please call the staff.",
      "The printer does not answer. Switch it on and check its cable."},
     {no_printer, "The printer is paused. Start it again in CUPS."},
-    {no_printer, "The printer takes no sheets. Let it accept jobs in CUPS."},
+    {no_printer, "The printer takes no sheets. The manual says how to change that."},
     {no_printer, "CUPS has no printer of this name. Check the name in the settings."},
     {no_printer, "CUPS cannot be reached. Start its service."},
     {no_printer, "CUPS does not answer. Start its service again."},
@@ -190,7 +193,8 @@ constexpr std::array<PrintWords, print_end_count> print_ends{{
      "The sheet was not printed. The log of CUPS says why."},
     {"Printing took too long. Please call the staff.",
      "Printing took too long. Check the printer."},
-    {no_printer, "CUPS keeps the sheets. Let the kiosk remove its own jobs there."},
+    {no_printer, printed_is_kept},
+    {no_printer, printed_is_kept},
     {"This picture cannot be printed. Choose another one.",
      "This picture cannot be printed. Choose another one."},
     {part_missing, staffs_part_missing},

@@ -126,13 +126,15 @@ void take(VisitWork& work, const CameraChanged& change) {
     if (open_screen(work) == VisitScreen::camera) say_screen(work);
 }
 
-/// A sheet of a visitor who is gone is nobody's business.
+/// A sheet of a visitor who is gone is nobody's business. The others are told by and by.
 void take(VisitWork& work, const SheetEnded& ended) {
     work.site.is_printing = false;
     Visitor& visitor = work.visitor;
     if (!std::exchange(visitor.awaits_sheet, false)) return;
-    if (ended.end != PrintEnd::printed && ended.end != PrintEnd::not_removed)
-        return show_trouble(work, told_of_print(ended.end, language_of(work)), std::nullopt);
+    if (ended.end != PrintEnd::printed && ended.end != PrintEnd::not_removed) {
+        visitor.failed_sheet = ended.end;
+        return;
+    }
     ++visitor.sheets;
     visitor.farewell.has_sheet = true;
     cue(work, ScreenEvent::news);
@@ -337,7 +339,8 @@ void end_visit(VisitWork& work, VisitScreen next) {
     const bool is_given = work.site.given && work.visitor.stick_list == work.site.given;
     Farewell farewell = work.visitor.farewell;
     farewell.has_stick = work.visitor.has_stick && !is_given;
-    farewell.has_sheet = farewell.has_sheet || work.visitor.awaits_sheet;
+    farewell.awaits_sheet = work.visitor.awaits_sheet;
+    farewell.failed_sheet = work.visitor.failed_sheet;
     farewell.felt_count = static_cast<int>(work.visitor.pictures_felt.size());
     work.visitor = new_visitor(work.site, work.world);
     work.visitor.path = {Standing{next}};

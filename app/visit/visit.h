@@ -145,7 +145,8 @@ struct VisitRules {
     bool has_stick_port = true;
     bool has_printer = false;  // for sheets to take home
     bool offers_staff = true;
-    bool invites = false;  // while nobody is here, says every so often how to begin
+    bool is_operator_in = false;  // a visit under way is silent, and keeps its news
+    bool invites = false;         // while nobody is here, says every so often how to begin
     std::string notice;  // while closed or under maintenance, in the site's language; may be empty
 };
 
@@ -272,11 +273,13 @@ struct SaidLately {
 
 /// What the last screen tells of the visit.
 struct Farewell {
-    int felt_count = 0;          // pictures
-    bool has_stick = false;      // to take along
-    bool has_picture = false;    // on the camera's tray
-    bool has_sheet = false;      // in the printer, or on its way there
-    bool is_unanswered = false;  // nobody said that they were there
+    int felt_count = 0;                    // pictures
+    bool has_stick = false;                // to take along
+    bool has_picture = false;              // on the camera's tray
+    bool has_sheet = false;                // in the printer
+    bool awaits_sheet = false;             // it is on its way there
+    std::optional<PrintEnd> failed_sheet;  // not told yet
+    bool is_unanswered = false;            // nobody said that they were there
 };
 
 /// The state of one visitor; every visit begins with a new one.
@@ -298,10 +301,11 @@ struct Visitor {
     std::optional<Loading> loading;
     std::optional<Waiting> waiting;
     bool is_capturing = false;
-    bool awaits_sheet = false;           // that is being printed
-    int sheets = 0;                      // printed in this visit
-    int sheet_news = 0;                  // how often the last one is still to be told
-    std::optional<double> sheet_told_s;  // when it was told; none: not yet
+    bool awaits_sheet = false;             // that is being printed
+    int sheets = 0;                        // printed in this visit
+    int sheet_news = 0;                    // how often the last one is still to be told
+    std::optional<double> sheet_told_s;    // when it was told; none: not yet
+    std::optional<PrintEnd> failed_sheet;  // still to be told
     bool has_stick = false;
     Farewell farewell;
     std::shared_ptr<const StickList> stick_list;  // none: not read yet

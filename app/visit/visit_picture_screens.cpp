@@ -329,6 +329,7 @@ void print_sheet(VisitWork& work) {
     if (work.visitor.sheets >= most_sheets)
         return say(work, words(work, "One visit can print {0} sheets, and no more.",
                                {language_of(work).number(most_sheets, 0)}));
+    if (work.visitor.failed_sheet) return show_failed_sheet(work);  // before another one fails
     work.site.is_printing = true;
     work.visitor.awaits_sheet = true;
     order(work, PrintSheet{});

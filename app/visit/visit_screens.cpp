@@ -187,6 +187,9 @@ void write_goodbye(VisitSheet& sheet) {
                                           "You felt {0} pictures.", farewell.felt_count));
     if (farewell.has_picture) sheet.sentence("Take your picture from the tray.");
     if (farewell.has_sheet) sheet.sentence("Take your sheet from the printer.");
+    if (farewell.awaits_sheet)
+        sheet.sentence("Your sheet is still being printed. Wait for it at the printer.");
+    if (farewell.failed_sheet) sheet.told(told_of_print(*farewell.failed_sheet, sheet.language));
     if (farewell.has_stick) sheet.sentence("Take your USB stick with you.");
     sheet.sentence("If you brought headphones, take them with you.");
     sheet.sentence("Nothing about you is kept here.");

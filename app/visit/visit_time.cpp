@@ -1,4 +1,5 @@
 // What happens without a key: what time causes, the handle that leads, and the hand that moves it.
+#include "app/visit/told_lines.h"
 #include "app/visit/visit_work.h"
 #include "audio-cues/speech/speech_input.h"
 
@@ -107,17 +108,21 @@ void say_languages(VisitWork& work) {
     }
 }
 
-/// It waits for what is being said, and a key may cut both off: then it is told once more.
+/// It waits for what is being said, and a key may cut both off: then it is told once more. One that
+/// failed covers no trouble of the handle, no question and no help.
 void tell_of_sheet(VisitWork& work) {
     Visitor& visitor = work.visitor;
     const double now_s = work.site.now_s;
-    if (visitor.sheet_news == 0 || visitor.leading) return;
+    if (visitor.leading || work.world.rules.is_operator_in) return;
+    const bool is_quiet = now_s - visitor.key_s >= quiet_after_s;
+    if (visitor.failed_sheet && is_quiet && !visitor.over) return show_failed_sheet(work);
+    if (visitor.sheet_news == 0) return;
     const bool is_cut_off = visitor.sheet_told_s && visitor.key_s > *visitor.sheet_told_s;
     if (visitor.sheet_told_s && !is_cut_off) {
         if (now_s - *visitor.sheet_told_s > heard_after_s) visitor.sheet_news = 0;
         return;
     }
-    if (now_s - visitor.key_s < quiet_after_s) return;
+    if (!is_quiet) return;
     --visitor.sheet_news;
     visitor.sheet_told_s = now_s;
     say_next(work, words(work, "Your sheet is in the printer."));  // Repeat says it too
@@ -264,6 +269,11 @@ void take(VisitWork& work, const Tick& tick) {
     mind_practice(work);
     ask_for_attention(work);
     mind_presence(work);
+}
+
+void show_failed_sheet(VisitWork& work) {
+    const PrintEnd end = *std::exchange(work.visitor.failed_sheet, {});
+    show_trouble(work, told_of_print(end, language_of(work)), std::nullopt);
 }
 
 double answer_s(const VisitRules& rules) {

@@ -184,6 +184,9 @@ void leave_parts_of_stick(Visitor& visitor);
 /// Counts the picture as felt: a hand moved on a line of it, or was led all the way round.
 void note_felt(Visitor& visitor);
 
+/// Shows why the sheet did not come (visit_time.cpp).
+void show_failed_sheet(VisitWork& work);
+
 // Leading (visit_time.cpp).
 
 inline constexpr const char* no_force_words = "The handle has no force now. Move it yourself.";

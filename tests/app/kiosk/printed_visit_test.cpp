@@ -93,6 +93,22 @@ TEST(PrintedVisit, AFailureIsToldAndTheLogNamesNoPicture) {
     EXPECT_TRUE(visitor.find(print)) << "it can be tried again";
 }
 
+TEST(PrintedVisit, WhatComesWhileTheOperatorIsInIsToldAfterwards) {
+    KioskWorld world;
+    set_printer(world);
+    BlindVisitor visitor(world);
+    to_picture(world, visitor, "A heart");
+    ASSERT_TRUE(visitor.choose(print)) << visitor.heard();
+    const std::string news = "Your sheet is in the printer.";
+    BlindVisitor staff(world, 0.2);
+    open_menu(staff);
+    ASSERT_TRUE(world.kiosk().is_operator_in()) << staff.heard();
+    EXPECT_FALSE(hears(world, staff, news));
+    ASSERT_TRUE(staff.choose("Leave")) << staff.heard();
+    ASSERT_FALSE(world.kiosk().is_operator_in());
+    EXPECT_TRUE(hears(world, staff, news)) << staff.heard();
+}
+
 TEST(PrintedVisit, TheVisitGoesOnMeanwhile) {
     KioskWorld world;
     std::atomic<bool> is_held = true;

@@ -3,7 +3,12 @@
 
 #include <atomic>
 #include <chrono>
+#include <mutex>
+#include <new>
+#include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -16,22 +21,38 @@ struct FakePrinter {
     std::atomic<int> sheets = 0;
     std::atomic<bool> is_held = false;
     std::atomic<PrintEnd> end = PrintEnd::printed;
+    std::atomic<bool> has_no_memory = false;
+    std::mutex lock;
+    std::vector<std::string> looked_at;  // since it was emptied
 
     [[nodiscard]] PrintEnd work(std::atomic<int>& count, const std::stop_token& stop) {
         while (is_held && !stop.stop_requested())
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         ++count;
+        if (has_no_memory) throw std::bad_alloc();
         return end;
     }
 
+    [[nodiscard]] std::vector<std::string> take_looked_at() {
+        const std::lock_guard guard(lock);
+        return std::exchange(looked_at, {});
+    }
+
     [[nodiscard]] Printing printing() {
-        return {
-            [this](const TactileMap&, const PrintOrder&, const std::stop_token& stop) {
-                return work(sheets, stop);
-            },
-            [this](const std::string&, const std::stop_token& stop) { return work(checks, stop); }};
+        return {[this](const TactileMap&, const PrintOrder&, const std::stop_token& stop) {
+                    return work(sheets, stop);
+                },
+                [this](const std::string& queue, const std::stop_token& stop) {
+                    const std::lock_guard guard(lock);
+                    looked_at.push_back(queue);
+                    return work(checks, stop);
+                }};
     }
 };
+
+PrintOrder sheet_at(const std::string& queue) {
+    return {queue, SheetKind::a4, "en"};
+}
 
 /// Steps at that time until the work that has begun is over.
 std::optional<PrintEnd> settle(SheetPrinter& printer, const std::string& queue, double now_s,
@@ -70,7 +91,7 @@ TEST(SheetPrinter, ASheetWaitsForALookAndIsFollowedByOne) {
     fake.is_held = true;
     SheetPrinter printer(fake.printing());
     (void)printer.step("sheets", 0.0, false);  // looks
-    printer.print({}, {});
+    printer.print({}, sheet_at("sheets"));
     EXPECT_EQ(settle(printer, "sheets", 1.0), std::nullopt);
     EXPECT_EQ(fake.sheets, 0);
     fake.end = PrintEnd::no_answer;
@@ -81,13 +102,44 @@ TEST(SheetPrinter, ASheetWaitsForALookAndIsFollowedByOne) {
     EXPECT_EQ(settle(printer, "sheets", 3.0), std::nullopt) << "told once";
 }
 
+/// Another name in the settings leaves nothing of a visitor in the queue before.
+TEST(SheetPrinter, TI4_TheQueueBeforeIsLookedAtUntilItIsClear) {
+    using Queues = std::vector<std::string>;
+    FakePrinter fake;
+    SheetPrinter printer(fake.printing());
+    fake.end = PrintEnd::no_answer;
+    printer.print({}, sheet_at("old"));
+    EXPECT_EQ(settle(printer, "old", 0.0), PrintEnd::no_answer);
+    EXPECT_EQ(fake.take_looked_at(), Queues{"old"});
+    (void)settle(printer, "new", 1.0);
+    EXPECT_EQ(fake.take_looked_at(), (Queues{"new", "old"}));
+    EXPECT_EQ(printer.condition(), PrintEnd::no_answer);
+    (void)settle(printer, "new", 200.0);
+    EXPECT_EQ(fake.take_looked_at(), Queues());
+    fake.end = PrintEnd::no_paper;  // which tells that nothing is left
+    (void)settle(printer, "", 400.0);
+    EXPECT_EQ(fake.take_looked_at(), Queues{"old"});
+    EXPECT_EQ(printer.condition(), std::nullopt) << "of no queue of the settings";
+    (void)settle(printer, "", 800.0);
+    EXPECT_EQ(fake.take_looked_at(), Queues());
+}
+
+TEST(SheetPrinter, AThreadThatFailsIsAnEndToo) {
+    FakePrinter fake;
+    fake.has_no_memory = true;
+    SheetPrinter printer(fake.printing());
+    printer.print({}, sheet_at("sheets"));
+    EXPECT_EQ(settle(printer, "sheets", 0.0), PrintEnd::not_started);
+    EXPECT_EQ(printer.condition(), PrintEnd::not_started);
+}
+
 TEST(SheetPrinter, EndsWhileASheetIsPrinted) {
     FakePrinter fake;
     fake.is_held = true;
     const auto start = std::chrono::steady_clock::now();
     {
         SheetPrinter printer(fake.printing());
-        printer.print({}, {});
+        printer.print({}, sheet_at("sheets"));
         (void)printer.step("sheets", 0.0, false);
     }
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));

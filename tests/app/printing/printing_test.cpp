@@ -1,12 +1,14 @@
 // Tests a real CUPS with a real spool: what is printed arrives, and nothing of it stays.
 #include "app/printing/printing.h"
 
+#include "app/isolation/process/child.h"
 #include "app/isolation/process/memory.h"
 #include "app/isolation/process/places.h"
 #include "app/printing/cups_job.h"
 #include "tests/app/printing/own_cups.h"
 #include "tests/app/sheets/sheet_maps.h"
 
+#include <array>
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
@@ -14,6 +16,7 @@
 #include <thread>
 
 #include <gtest/gtest.h>
+#include <signal.h>
 #include <sys/socket.h>
 #include <sys/un.h>
 #include <unistd.h>
@@ -23,7 +26,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr const char* pdf = "application/pdf";
 const std::string sheet = "%PDF-1.4\nthe sheet of a visitor\n%%EOF\n";
 
 /// Short, so that the test is.
@@ -42,7 +44,7 @@ class Printing : public testing::Test {
 
     [[nodiscard]] static PrintEnd print(const OwnCups& cups, const std::string& queue,
                                         const PrintPatience& patience = impatient) {
-        return print_by_cups({cups.socket(), queue}, std::as_bytes(std::span(sheet)), pdf,
+        return print_by_cups({cups.socket(), queue}, std::as_bytes(std::span(sheet)), SheetKind::a4,
                              patience);
     }
 
@@ -138,7 +140,7 @@ TEST_F(Printing, WithoutCupsOneKnowsAtOnce) {
     const CupsQueue nowhere{"/nowhere/cups.sock", "good"};
     const auto start = std::chrono::steady_clock::now();
     EXPECT_EQ(check_at_cups(nowhere, impatient), PrintEnd::no_service);
-    EXPECT_EQ(print_by_cups(nowhere, std::as_bytes(std::span(sheet)), pdf, impatient),
+    EXPECT_EQ(print_by_cups(nowhere, std::as_bytes(std::span(sheet)), SheetKind::a4, impatient),
               PrintEnd::no_service);
     EXPECT_LT(seconds_since(start), 2.0);
 }
@@ -156,8 +158,9 @@ TEST_F(Printing, ACupsThatNeverAnswersIsGivenUp) {
     ASSERT_EQ(listen(deaf.number(), 8), 0);
     const auto start = std::chrono::steady_clock::now();
     EXPECT_EQ(check_at_cups({path, "good"}, impatient), PrintEnd::no_answer);
-    EXPECT_EQ(print_by_cups({path, "good"}, std::as_bytes(std::span(sheet)), pdf, impatient),
-              PrintEnd::no_answer);
+    EXPECT_EQ(
+        print_by_cups({path, "good"}, std::as_bytes(std::span(sheet)), SheetKind::a4, impatient),
+        PrintEnd::no_answer);
     EXPECT_LT(seconds_since(start), 10.0);
     unlink(path.c_str());
 }
@@ -210,6 +213,33 @@ TEST_F(PrintedMap, TI4_TheJobSaysNothingOfThePicture) {
     EXPECT_EQ(cups_.printed().find("holiday"), std::string::npos) << "in the PDF's own title";
 }
 
+/// Tracing names lines in English, and only by kind where there is paper.
+TEST_F(PrintedMap, WhatTracingNamesIsPrintedInTheLanguage) {
+    const TactileMap map =
+        map_of_lines({line_through({{-30, -20}, {30, 20}}, 1, "dashed line, middle"),
+                      ring_through({{0, 25}, {20, 30}}, 1, "left eye")},
+                     "Ein Bild");
+    EXPECT_EQ(print_map(map, {"good", SheetKind::embosser, "de"}, programs_, {}),
+              PrintEnd::printed);
+    EXPECT_EQ(cups_.printed().find("DASHED"), std::string::npos) << cups_.printed();
+    EXPECT_NE(cups_.printed().find("GESTRICHELTE LINIE"), std::string::npos) << cups_.printed();
+}
+
+/// A queue may print on both sides, and fit what it gets to its own paper.
+TEST_F(PrintedMap, ASheetIsPrintedOnOneSideInItsOwnSize) {
+    EXPECT_EQ(print_as(SheetKind::letter, "en"), PrintEnd::printed);
+    for (const char* each : {"sides=one-sided", "print-scaling=none", "media=na_letter_8.5x11in"})
+        EXPECT_NE(cups_.told().find(each), std::string::npos) << cups_.told();
+    EXPECT_EQ(print_as(SheetKind::a4, "en"), PrintEnd::printed);
+    EXPECT_NE(cups_.told().find("media=iso_a4_210x297mm"), std::string::npos) << cups_.told();
+}
+
+TEST_F(PrintedMap, AnEmbosserIsToldNothingButItsBytes) {
+    EXPECT_EQ(print_as(SheetKind::embosser, "en"), PrintEnd::printed);
+    EXPECT_EQ(cups_.told().find("sides"), std::string::npos) << cups_.told();
+    EXPECT_EQ(cups_.told().find("media"), std::string::npos) << cups_.told();
+}
+
 TEST_F(PrintedMap, WhatCannotBePrintedIsToldByTheProgramsToo) {
     EXPECT_EQ(print_as(SheetKind::a4, "en", "nowhere"), PrintEnd::unknown);
     EXPECT_EQ(check_printer("good", programs_, {}), PrintEnd::printed);
@@ -232,6 +262,32 @@ TEST_F(PrintedMap, OnceStoppedItWaitsNoLonger) {
     EXPECT_LT(seconds_since(start), 15.0);
     EXPECT_EQ(check_printer("slow", programs_, {}), PrintEnd::printed);  // ends that job
     EXPECT_EQ(cups_.spooled(), std::vector<std::string>());
+}
+
+TEST_F(PrintedMap, OnceStoppedNothingMoreIsSentToThePrinter) {
+    std::stop_source stop;
+    stop.request_stop();
+    const TactileMap map = map_of_lines({line_through({{-30, -20}, {30, 20}})});
+    EXPECT_EQ(print_map(map, {"good", SheetKind::a4, "en"}, programs_, stop.get_token()),
+              PrintEnd::out_of_time);
+    EXPECT_EQ(check_printer("good", programs_, {}), PrintEnd::printed);
+    EXPECT_EQ(cups_.told(), "");
+}
+
+/// A service that is stopped signals all of its programs.
+TEST_F(PrintedMap, TI4_AskedToEndItTakesItsJobBack) {
+    const auto memory = sealed_copy(std::as_bytes(std::span(sheet)));
+    ASSERT_TRUE(memory.has_value());
+    const std::array<const Descriptor*, 1> handed{&*memory};
+    auto child = Child::start(programs_.print, {"print", "slow", "0"}, handed);
+    ASSERT_TRUE(child.has_value());
+    ASSERT_TRUE(cups_.is_printing());
+    const auto start = std::chrono::steady_clock::now();
+    ::kill(child->pid(), SIGTERM);
+    EXPECT_TRUE(child->ends_within(8.0));
+    EXPECT_EQ(print_end_of(child->reap().status), PrintEnd::out_of_time);
+    EXPECT_LT(seconds_since(start), 8.0);
+    expect_nothing_left(cups_);
 }
 
 TEST(PrintEnds, EachHasAStatusAndALineOfItsOwn) {

@@ -119,6 +119,99 @@ TEST(Visit, ER1_ASheetThatFailsSaysWhyAndCanBeTriedAgain) {
     EXPECT_EQ(told.count(""), 0U);
 }
 
+/// A visitor whose sheet will fail for lack of paper.
+void order_failing_sheet(FakeHouse& house) {
+    house.print_end = PrintEnd::no_paper;
+    to_picture(house);
+    ASSERT_TRUE(house.choose(print));
+}
+
+bool shows_no_paper(const FakeHouse& house) {
+    return house.open() == VisitScreen::trouble &&
+           house.screen().text.find("no paper") != std::string::npos;
+}
+
+TEST(Visit, ER1_ASheetThatFailsCoversNoTroubleOfTheHandle) {
+    FakeHouse house(with_printer());
+    order_failing_sheet(house);
+    house.apply(TroubleBegan{TroubleKind::device, "The force is off. Let go of the handle."});
+    house.wait(house.print_s + 1.0);
+    EXPECT_EQ(house.visit.visitor.trouble, TroubleKind::device);
+    EXPECT_NE(house.screen().text.find("The force is off."), std::string::npos);
+    house.apply(TroubleEnded{TroubleKind::device});
+    house.wait(0.2);
+    EXPECT_TRUE(shows_no_paper(house));
+}
+
+TEST(Visit, ER1_ASheetThatFailsCoversNoHelpAndNoQuestion) {
+    FakeHouse house(with_printer());
+    order_failing_sheet(house);
+    house.press(KeyRole::help);
+    const VisitScreen open = house.open();
+    ASSERT_EQ(open, VisitScreen::help);
+    house.wait(house.print_s + 1.0);
+    EXPECT_EQ(house.open(), open);
+    house.press(KeyRole::help);
+    house.wait(5.0);
+    EXPECT_TRUE(shows_no_paper(house));
+}
+
+TEST(Visit, ER1_ASheetThatFailsWaitsUntilTheHandleNoLongerLeads) {
+    FakeHouse house(with_printer());
+    order_failing_sheet(house);
+    house.lead_s = 30.0;
+    ASSERT_TRUE(house.choose("Guide me along the largest outline"));
+    house.wait(house.print_s + 10.0);
+    EXPECT_TRUE(house.is_leading);
+    EXPECT_EQ(house.open(), VisitScreen::picture);
+    house.wait(30.0);
+    EXPECT_TRUE(shows_no_paper(house));
+}
+
+TEST(Visit, ER1_WhoeverPrintsAgainHearsFirstWhyASheetFailed) {
+    FakeHouse house(with_printer());
+    order_failing_sheet(house);
+    for (int i = 0; i < 3; ++i) {
+        house.wait(2.0);
+        house.press(KeyRole::repeat);
+    }
+    ASSERT_EQ(house.open(), VisitScreen::picture);
+    house.press(KeyRole::select);
+    EXPECT_TRUE(shows_no_paper(house));
+    EXPECT_TRUE(house.last<PrintSheet>().empty());
+}
+
+TEST(Visit, ER1_GoodbyeSaysWhyASheetDidNotCome) {
+    FakeHouse house(with_printer());
+    order_failing_sheet(house);
+    for (int i = 0; i < 3; ++i) {
+        house.wait(2.0);
+        house.press(KeyRole::repeat);
+    }
+    finish(house);
+    ASSERT_EQ(house.open(), VisitScreen::goodbye);
+    EXPECT_NE(house.screen().text.find("The printer has no paper."), std::string::npos);
+    EXPECT_EQ(house.screen().text.find("Take your sheet"), std::string::npos);
+}
+
+/// A visit is silent while the operator is in.
+TEST(Visit, ASheetIsToldOnceTheOperatorHasLeft) {
+    for (const PrintEnd end : {PrintEnd::printed, PrintEnd::no_paper}) {
+        FakeHouse house(with_printer());
+        house.print_end = end;
+        to_picture(house);
+        ASSERT_TRUE(house.choose(print));
+        const std::string news = end == PrintEnd::printed ? "in the printer" : "no paper";
+        const std::size_t from = house.transcript.size();
+        house.rules.is_operator_in = true;
+        house.wait(house.print_s + 20.0);
+        EXPECT_FALSE(house.has_said(news, from));
+        house.rules.is_operator_in = false;
+        house.wait(0.2);
+        EXPECT_TRUE(house.has_said(news, from)) << news;
+    }
+}
+
 TEST(Visit, TI2_TheNextVisitorHearsNothingOfASheet) {
     for (const PrintEnd end : {PrintEnd::printed, PrintEnd::no_paper}) {
         FakeHouse house(with_printer());
@@ -127,7 +220,9 @@ TEST(Visit, TI2_TheNextVisitorHearsNothingOfASheet) {
         to_picture(house);
         ASSERT_TRUE(house.choose(print));
         finish(house);
-        EXPECT_NE(house.screen().text.find("Take your sheet from the printer."), std::string::npos);
+        EXPECT_NE(house.screen().text.find("Your sheet is still being printed."),
+                  std::string::npos);
+        EXPECT_EQ(house.screen().text.find("Take your sheet"), std::string::npos);
         to_picture(house);
         ASSERT_TRUE(house.choose(print));
         EXPECT_EQ(last_sentence(house), "The printer is busy. Please try again in a minute.");
