@@ -71,14 +71,8 @@ Result<std::vector<std::byte>> sheet_of(const TactileMap& map, const PrintComman
         case SheetFormat::svg:
             return tactile_sheet(map, {options.paper, hand}, language)
                 .and_then([](const TactileSheet& sheet) { return svg_of(sheet.pages.front()); });
-        case SheetFormat::brf: {
-            auto words = word_pages(map, hand, language);
-            if (!words) return tl::unexpected(words.error());
-            const auto drawing = drawing_pages(map, hand);
-            if (!drawing) return tl::unexpected(drawing.error());
-            words->insert(words->end(), drawing->begin(), drawing->end());
-            return bytes_of(brf_of(*words));
-        }
+        case SheetFormat::brf:
+            return brf_sheet(map, hand, language).and_then(bytes_of);
         case SheetFormat::ubrl:
             return dots_of(map, graphic_lattice(options.paper))
                 .and_then([](const DotPicture& dots) { return bytes_of(ubrl_of(dots)); });

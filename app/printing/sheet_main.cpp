@@ -22,14 +22,7 @@ namespace {
 
 using Bytes = std::vector<std::byte>;
 
-Result<Bytes> pages_for_embosser(const TactileMap& map, const BrailleHand& hand,
-                                 const Language& language) {
-    auto pages = word_pages(map, hand, language);
-    if (!pages) return tl::unexpected(pages.error());
-    const auto drawing = drawing_pages(map, hand);
-    if (!drawing) return tl::unexpected(drawing.error());
-    pages->insert(pages->end(), drawing->begin(), drawing->end());
-    const std::string text = brf_of(*pages);
+Result<Bytes> bytes_of(const std::string& text) {
     const auto bytes = std::as_bytes(std::span(text));
     return Bytes(bytes.begin(), bytes.end());
 }
@@ -37,7 +30,7 @@ Result<Bytes> pages_for_embosser(const TactileMap& map, const BrailleHand& hand,
 /// The file says nothing of the picture but what is on the paper.
 Result<Bytes> sheet_for(SheetKind kind, const TactileMap& map, const Language& language) {
     const BrailleHand hand{language.code(), BrailleGrade::uncontracted};
-    if (kind == SheetKind::embosser) return pages_for_embosser(map, hand, language);
+    if (kind == SheetKind::embosser) return brf_sheet(map, hand, language).and_then(bytes_of);
     const PaperKind paper = kind == SheetKind::letter ? PaperKind::letter : PaperKind::a4;
     return tactile_sheet(map, {paper, hand}, language).and_then([](const TactileSheet& sheet) {
         return pdf_of(sheet, "Touchline");

@@ -133,6 +133,16 @@ std::string brf_of(const BraillePages& pages) {
     return text;
 }
 
+Result<std::string> brf_sheet(const TactileMap& map, const BrailleHand& hand,
+                              const Language& language) {
+    auto pages = word_pages(map, hand, language);
+    if (!pages) return tl::unexpected(pages.error());
+    const auto drawing = drawing_pages(map, hand);
+    if (!drawing) return tl::unexpected(drawing.error());
+    pages->insert(pages->end(), drawing->begin(), drawing->end());
+    return brf_of(*pages);
+}
+
 std::string ubrl_of(const DotPicture& dots) {
     std::string text;
     for (std::size_t y = 0; y < dots.rows; y += 4) {

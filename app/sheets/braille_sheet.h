@@ -60,6 +60,10 @@ using BraillePages = std::vector<std::vector<BrailleCells>>;
 /// North American ASCII braille; a line ends in CR LF, and a page in a form feed. O(cells).
 [[nodiscard]] std::string brf_of(const BraillePages& pages);
 
+/// A whole sheet as brf_of(): the words, then the drawing.
+[[nodiscard]] Result<std::string> brf_sheet(const TactileMap& map, const BrailleHand& hand,
+                                            const Language& language);
+
 /// The dots in Unicode's patterns of eight, two wide and four high, a row of cells a line: the form
 /// that Debian's CUPS drivers call UBRL. O(dots).
 [[nodiscard]] std::string ubrl_of(const DotPicture& dots);
