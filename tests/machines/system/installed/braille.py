@@ -7,7 +7,8 @@ KEYS = '/run/braille.keys'  # a pipe: brltty's commands
 DISPLAY = f'''until exec 3<>/dev/tcp/127.0.0.1/35752; do sleep 1; done
 echo "cells 40" >&3
 cat <&3 >{SHOWN} &
-while read -r key <{KEYS}; do echo "$key" >&3; done'''
+exec 4<>{KEYS}
+while read -r key <&4; do echo "$key" >&3; done'''
 DOTS = {c: '|'.join(cell) for c, cell in {
     'Finish': ('6', '124', '24', '1345', '24', '234', '125'), 'English': ('6', '15', '1345', '1245', '123', '24', '234', '125'),
     'Gallery': ('6', '1245', '1', '123', '123', '15', '1235', '13456'),
