@@ -19,8 +19,10 @@ void Kiosk::follow_braille() {
     if (const std::string line = braille_->take_report(); !line.empty()) report(line);
     if (!braille_->is_there()) return;
     const SpokenScreen now = screen();
-    const std::string item = now.focus ? spoken_item(now, *now.focus, language()) : std::string();
-    braille_->rest({language().code(), item});
+    if (!now.focus) return braille_->rest({});
+    const Language& its =
+        is_operator_in() ? language() : language_of_item(visit_, now.items[*now.focus], world());
+    braille_->rest({its.code(), spoken_item(now, *now.focus, its)});
 }
 
 /// The operator reads pages too, but is no visitor.

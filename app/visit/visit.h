@@ -364,4 +364,8 @@ struct VisitStep {
 
 [[nodiscard]] const Language& language_of(const Visit& visit, const VisitWorld& world);
 
+/// In which an item of the open screen is said: a language in itself, all else in the visitor's.
+[[nodiscard]] const Language& language_of_item(const Visit& visit, const ScreenItem& item,
+                                               const VisitWorld& world);
+
 }  // namespace touchline

@@ -17,17 +17,6 @@ void arrive(VisitWork& work) {
     work.visitor.repeats = 0;
 }
 
-const Language& language_of_item(const VisitWork& work, const ScreenItem& item) {
-    const VisitScreen screen = open_screen(work);
-    const bool is_language =
-        screen == VisitScreen::language ||
-        (screen == VisitScreen::values &&
-         work.visitor.path.back().about == static_cast<int>(VisitItem::language));
-    const auto row = static_cast<std::size_t>(item.id - static_cast<int>(VisitItem::entry));
-    if (is_language && row < work.world.languages.size()) return work.world.languages[row];
-    return language_of(work);
-}
-
 /// True if these words were said a moment ago and no key was pressed since. Notes them.
 bool is_said_again(VisitWork& work, const std::string& language, const std::string& text) {
     constexpr double lately_s = 10.0;
@@ -69,6 +58,18 @@ void note_hint(VisitWork& work, const SpokenScreen& screen) {
 
 const Language& language_of(const Visit& visit, const VisitWorld& world) {
     return language_at(world, visit.visitor.sound.language);
+}
+
+const Language& language_of_item(const Visit& visit, const ScreenItem& item,
+                                 const VisitWorld& world) {
+    const VisitScreen screen = open_screen(visit);
+    const bool is_language =
+        screen == VisitScreen::language ||
+        (screen == VisitScreen::values &&
+         visit.visitor.path.back().about == static_cast<int>(VisitItem::language));
+    const auto row = static_cast<std::size_t>(item.id - static_cast<int>(VisitItem::entry));
+    if (is_language && row < world.languages.size()) return world.languages[row];
+    return language_of(visit, world);
 }
 
 const Language& language_of(const VisitWork& work) {
@@ -165,7 +166,8 @@ std::string untold_hint(const SpokenScreen& screen) {
 void say_item(VisitWork& work, const SpokenText& first) {
     const SpokenScreen screen = screen_of(work);
     if (!screen.focus) return say(work, first);
-    const Language& language = language_of_item(work, screen.items[*screen.focus]);
+    const Language& language =
+        language_of_item(visit_of(work), screen.items[*screen.focus], work.world);
     const SpokenText item = told_item(screen, *screen.focus, language);
     if (first.words.empty() || &language == &language_of(work)) {
         SpokenText text = first;

@@ -107,9 +107,16 @@ bool BlindVisitor::has_heard(const std::string& words) const {
     return heard().find(as_heard(words)) != std::string::npos;
 }
 
-/// Whether any text begins with this item; a sentence says its item first.
+/// Whether any text begins with this item; a sentence says its item first. A language is listed in
+/// itself, on the display in its own braille.
 bool BlindVisitor::has_item(const std::string& item) const {
-    return ("\n" + heard()).find("\n" + as_heard(item)) != std::string::npos;
+    const auto begins = [heard = "\n" + heard()](const std::string& text) {
+        return heard.find("\n" + text) != std::string::npos;
+    };
+    if (begins(as_heard(item)) || sense_ == Sense::ears) return begins(as_heard(item));
+    return std::ranges::any_of(all_languages(), [&](const Language& language) {
+        return language.name() == item && begins(as_read(item, language.code()));
+    });
 }
 
 bool BlindVisitor::find(const std::string& item) {

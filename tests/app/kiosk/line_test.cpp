@@ -39,6 +39,17 @@ TEST(KioskLine, HA3_TheItemWithTheFocusComesAfterTheLastPage) {
     EXPECT_TRUE(as_read(item, "en").starts_with(world.line().page())) << world.line().page();
 }
 
+/// It is told in its own language and table, so it is the same text and no further page.
+TEST(KioskLine, ALanguageIsThereOnce) {
+    KioskWorld world;
+    BlindVisitor visitor(world, 0.5, Sense::fingers);
+    visitor.press(KeyRole::select);
+    world.line().press(KeyRole::down);
+    world.run(0.5);
+    EXPECT_TRUE(world.line().page().starts_with(as_read("Deutsch", "de"))) << world.line().page();
+    EXPECT_FALSE(world.line().contents.turn(LineTurn::on, world.now_s()));
+}
+
 TEST(KioskLine, AVisitWithoutSpeechCanBeRead) {
     KioskWorld world;
     Settings settings;
