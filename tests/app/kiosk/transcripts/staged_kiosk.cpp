@@ -175,8 +175,8 @@ ThingFinder staged_finder() {
 /// A document of twelve pages, and a file that is no document.
 std::vector<FilePtr> staged_files() {
     return {file_of_stick("holiday plan.pdf", open_document),
-            file_of_stick("letter.pdf", [](const PageOrder&) -> Result<Page> {
-                return failure("letter.pdf is no picture that is known here, by its first bytes");
+            file_of_stick("ticket.pdf", [](const PageOrder&) -> Result<Page> {
+                return failure("ticket.pdf is no picture that is known here, by its first bytes");
             })};
 }
 
