@@ -55,11 +55,6 @@ std::string note_of(std::size_t lacking, const std::string& language) {
         lacking == 1 ? "one sign" : fmt::format("{} signs", lacking), language);
 }
 
-Result<std::vector<std::byte>> bytes_of(const std::string& text) {
-    const auto bytes = std::as_bytes(std::span(text));
-    return std::vector<std::byte>(bytes.begin(), bytes.end());
-}
-
 /// The file's bytes.
 Result<std::vector<std::byte>> sheet_of(const TactileMap& map, const PrintCommandOptions& options,
                                         const Language& language) {
@@ -72,15 +67,17 @@ Result<std::vector<std::byte>> sheet_of(const TactileMap& map, const PrintComman
             return tactile_sheet(map, {options.paper, hand}, language)
                 .and_then([](const TactileSheet& sheet) { return svg_of(sheet.pages.front()); });
         case SheetFormat::brf:
-            return brf_sheet(map, hand, language).and_then(bytes_of);
+            return brf_sheet(map, hand, language).map(file_bytes);
         case SheetFormat::ubrl:
-            return dots_of(map, graphic_lattice(options.paper))
-                .and_then([](const DotPicture& dots) { return bytes_of(ubrl_of(dots)); });
+            return dots_of(map, graphic_lattice(options.paper)).map([](const DotPicture& dots) {
+                return file_bytes(ubrl_of(dots));
+            });
         case SheetFormat::index: {
             const auto words = word_pages(map, hand, language);
             if (!words) return tl::unexpected(words.error());
-            return dots_of(map, graphic_lattice(options.paper))
-                .and_then([&](const DotPicture& dots) { return bytes_of(index_of(*words, dots)); });
+            return dots_of(map, graphic_lattice(options.paper)).map([&](const DotPicture& dots) {
+                return file_bytes(index_of(*words, dots));
+            });
         }
     }
     return failure("this kind of sheet is not known");

@@ -26,7 +26,7 @@ class Pen {
   public:
     /// Follows the pen over an area. Returns the stroke when the pen is lifted, an eraser's already
     /// when it is pressed. A press beside the area draws nothing, nor does one that is not finite.
-    /// Of a stroke longer than most_way_m, its way to there is kept, and one point beyond.
+    /// A stroke longer than most_way_m is kept up to there, and with one point beyond.
     [[nodiscard]] std::optional<PenStroke> step(const PenChange& change, const Area& area);
 
     /// Forgets the stroke that is under way.

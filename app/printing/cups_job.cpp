@@ -150,8 +150,8 @@ Answer CupsWork::ask(ipp_op_t what, int job, std::span<const char* const> attrib
     return Answer(cupsDoRequest(connection_.get(), request, place));
 }
 
-/// From the printer, the spool and the history. A job that is being printed is ended first, and
-/// removed by a request after that.
+/// Takes the job out of the printer, the spool and the history. One that is being printed is ended
+/// first, and removed by a request after that.
 bool CupsWork::remove(int job) {
     constexpr std::array wanted{"job-state"};
     for (const double end_s = now_s() + patience_.answer_s; now_s() < end_s;

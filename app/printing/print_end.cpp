@@ -16,8 +16,7 @@ std::string_view line_of(PrintEnd end) {
             return "the printer is paused; 'cupsenable PRINTER' starts it";
         case PrintEnd::refused:
             return "the printer takes no sheets; 'cupsaccept PRINTER' lets it, and 'lpstat -p' "
-                   "says "
-                   "more";
+                   "says more";
         case PrintEnd::unknown:
             return "CUPS has no printer of this name; 'lpstat -e' lists those it has";
         case PrintEnd::no_service:
@@ -32,8 +31,7 @@ std::string_view line_of(PrintEnd end) {
             return "the sheet is printed, but CUPS keeps it; 'cancel -a -x PRINTER' removes it";
         case PrintEnd::not_cleared:
             return "CUPS keeps sheets of before, so none is printed; 'cancel -a -x PRINTER' "
-                   "removes "
-                   "them";
+                   "removes them";
         case PrintEnd::no_sheet:
             return "no sheet can be made of this picture";
         case PrintEnd::not_started:

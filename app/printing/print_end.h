@@ -9,7 +9,7 @@
 
 namespace touchline {
 
-/// Of a check alone: `printed` says that the queue is there and takes sheets.
+/// After a check alone, `printed` says that the queue is there and takes sheets.
 enum class PrintEnd : std::uint8_t {
     printed,
     no_paper,
@@ -30,7 +30,7 @@ enum class PrintEnd : std::uint8_t {
 
 inline constexpr int print_end_count = 15;
 
-/// Of what is printed; far more than any sheet has.
+/// A sheet has far fewer.
 inline constexpr std::size_t most_sheet_bytes = std::size_t{64} << 20U;
 
 /// touchline-print's exit status: this and the PrintEnd; 2 for wrong words.

@@ -22,15 +22,10 @@ namespace {
 
 using Bytes = std::vector<std::byte>;
 
-Result<Bytes> bytes_of(const std::string& text) {
-    const auto bytes = std::as_bytes(std::span(text));
-    return Bytes(bytes.begin(), bytes.end());
-}
-
 /// The file says nothing of the picture but what is on the paper.
 Result<Bytes> sheet_for(SheetKind kind, const TactileMap& map, const Language& language) {
     const BrailleHand hand{language.code(), BrailleGrade::uncontracted};
-    if (kind == SheetKind::embosser) return brf_sheet(map, hand, language).and_then(bytes_of);
+    if (kind == SheetKind::embosser) return brf_sheet(map, hand, language).map(file_bytes);
     const PaperKind paper = kind == SheetKind::letter ? PaperKind::letter : PaperKind::a4;
     return tactile_sheet(map, {paper, hand}, language).and_then([](const TactileSheet& sheet) {
         return pdf_of(sheet, "Touchline");

@@ -7,6 +7,7 @@
 #include "config/types/extent.h"
 
 #include <algorithm>
+#include <span>
 
 namespace touchline {
 namespace {
@@ -131,6 +132,11 @@ std::string brf_of(const BraillePages& pages) {
         text += '\f';
     }
     return text;
+}
+
+std::vector<std::byte> file_bytes(std::string_view text) {
+    const auto bytes = std::as_bytes(std::span(text));
+    return {bytes.begin(), bytes.end()};
 }
 
 Result<std::string> brf_sheet(const TactileMap& map, const BrailleHand& hand,

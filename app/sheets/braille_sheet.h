@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace touchline {
@@ -59,6 +60,9 @@ using BraillePages = std::vector<std::vector<BrailleCells>>;
 
 /// North American ASCII braille; a line ends in CR LF, and a page in a form feed. O(cells).
 [[nodiscard]] std::string brf_of(const BraillePages& pages);
+
+/// What brf_of(), ubrl_of() and index_of() give, as a file has it.
+[[nodiscard]] std::vector<std::byte> file_bytes(std::string_view text);
 
 /// A whole sheet as brf_of(): the words, then the drawing.
 [[nodiscard]] Result<std::string> brf_sheet(const TactileMap& map, const BrailleHand& hand,

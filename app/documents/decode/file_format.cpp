@@ -101,7 +101,7 @@ FileFormat packed_format(Bytes bytes) {
 constexpr int least_dpi = 30;
 constexpr int most_dpi = 600;
 
-/// By its signs alone, for any text of these is a tag. BCP 47 has none that needs more than 35.
+/// Its signs alone decide, for any text of these is a tag. BCP 47 has none that needs more than 35.
 bool is_language_tag(std::string_view text) {
     constexpr std::size_t most_signs = 35;
     return text.size() <= most_signs && std::ranges::all_of(text, [](char c) {

@@ -69,7 +69,7 @@ class Drawing {
     /// Does again what was undone last; not after a change.
     [[nodiscard]] Or<Drawing> redone() const;
 
-    /// In the order of their numbers.
+    /// They are in the order of their numbers.
     [[nodiscard]] const std::vector<DrawnLinePtr>& lines() const { return steps_[now_]; }
 
     [[nodiscard]] bool can_undo() const { return now_ > 0; }

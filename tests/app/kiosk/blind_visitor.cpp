@@ -202,16 +202,20 @@ void turn_to_least(BlindVisitor& staff) {
     FAIL() << staff.heard();
 }
 
-void open_walls(KioskWorld& world, const std::string& picture) {
-    std::ofstream(world.site_files().settings.site) << "[feel]\nmode = \"wall\"\n";
-    world.run(2.0);
-    BlindVisitor visitor(world, 0.2);
+void open_gallery_picture(BlindVisitor& visitor, const std::string& picture) {
     visitor.press(KeyRole::select);
     ASSERT_TRUE(visitor.choose("English")) << visitor.heard();
     ASSERT_TRUE(visitor.wait_for("What to feel")) << visitor.heard();
     ASSERT_TRUE(visitor.choose("Gallery")) << visitor.heard();
     ASSERT_TRUE(visitor.choose_picture(picture)) << visitor.heard();
     ASSERT_TRUE(visitor.wait_for("Guide me along the")) << visitor.heard();
+}
+
+void open_walls(KioskWorld& world, const std::string& picture) {
+    std::ofstream(world.site_files().settings.site) << "[feel]\nmode = \"wall\"\n";
+    world.run(2.0);
+    BlindVisitor visitor(world, 0.2);
+    ASSERT_NO_FATAL_FAILURE(open_gallery_picture(visitor, picture));
     world.run(1.0);
 }
 

@@ -64,6 +64,9 @@ class BlindVisitor {
     int keys_ = 0;
 };
 
+/// Begins a visit in English and opens a picture of the gallery.
+void open_gallery_picture(BlindVisitor& visitor, const std::string& picture);
+
 /// Presses the keys that open the operator's screens.
 void enter(BlindVisitor& staff);
 

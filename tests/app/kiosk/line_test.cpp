@@ -7,19 +7,10 @@
 namespace touchline {
 namespace {
 
-/// Opens a picture of the gallery by the display alone.
-void open_picture(BlindVisitor& visitor, const std::string& picture) {
-    visitor.press(KeyRole::select);
-    ASSERT_TRUE(visitor.choose("English")) << visitor.heard();
-    ASSERT_TRUE(visitor.choose("Gallery")) << visitor.heard();
-    ASSERT_TRUE(visitor.choose_picture(picture)) << visitor.heard();
-    ASSERT_TRUE(visitor.wait_for("Guide me along the")) << visitor.heard();
-}
-
 TEST(KioskLine, HA3_ThePartUnderTheHandIsThereAtOnce) {
     KioskWorld world;
     BlindVisitor visitor(world, 0.5, Sense::fingers);
-    ASSERT_NO_FATAL_FAILURE(open_picture(visitor, "A fish"));
+    ASSERT_NO_FATAL_FAILURE(open_gallery_picture(visitor, "A fish"));
     visitor.press(KeyRole::repeat);
     world.line().turn(LineTurn::to_first);
     const auto& parts = world.kiosk().visit().visitor.felt->facts.parts;
@@ -56,7 +47,7 @@ TEST(KioskLine, AVisitWithoutSpeechCanBeRead) {
     settings.is_speech_on = false;
     world.kiosk().set(settings);
     BlindVisitor visitor(world, 0.5, Sense::fingers);
-    open_picture(visitor, "A fish");
+    open_gallery_picture(visitor, "A fish");
 }
 
 TEST(KioskLine, ADisplayThatComesInAVisitHasWhatWasSaidLast) {

@@ -22,12 +22,7 @@ void set_printer(KioskWorld& world) {
 }
 
 void to_picture(KioskWorld& world, BlindVisitor& visitor, const std::string& name) {
-    visitor.press(KeyRole::select);
-    ASSERT_TRUE(visitor.choose("English")) << visitor.heard();
-    ASSERT_TRUE(visitor.wait_for("What to feel")) << visitor.heard();
-    ASSERT_TRUE(visitor.choose("Gallery")) << visitor.heard();
-    ASSERT_TRUE(visitor.choose_picture(name)) << visitor.heard();
-    ASSERT_TRUE(visitor.wait_for("Guide me along the")) << visitor.heard();
+    ASSERT_NO_FATAL_FAILURE(open_gallery_picture(visitor, name));
     world.run(1.0);
 }
 

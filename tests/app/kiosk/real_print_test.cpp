@@ -26,12 +26,7 @@ TEST(RealPrint, TI4_AVisitorsSheetIsPrintedAndNothingOfItStays) {
     settings.sheet = SheetKind::embosser;
     world.kiosk().set(settings);
     BlindVisitor visitor(world);
-    visitor.press(KeyRole::select);
-    ASSERT_TRUE(visitor.choose("English")) << visitor.heard();
-    ASSERT_TRUE(visitor.wait_for("What to feel")) << visitor.heard();
-    ASSERT_TRUE(visitor.choose("Gallery")) << visitor.heard();
-    ASSERT_TRUE(visitor.choose_picture("A heart")) << visitor.heard();
-    ASSERT_TRUE(visitor.wait_for("Guide me along the")) << visitor.heard();
+    ASSERT_NO_FATAL_FAILURE(open_gallery_picture(visitor, "A heart"));
     ASSERT_TRUE(visitor.choose("Print to take home")) << visitor.heard();
     const std::string done = "Your sheet is in the printer.";
     for (int i = 0; i < 1000 && visitor.heard().find(done) == std::string::npos; ++i) {

@@ -12,12 +12,7 @@ namespace touchline {
 namespace {
 
 void to_heart(KioskWorld& world, BlindVisitor& visitor) {
-    visitor.press(KeyRole::select);
-    ASSERT_TRUE(visitor.choose("English")) << visitor.heard();
-    ASSERT_TRUE(visitor.wait_for("What to feel")) << visitor.heard();
-    ASSERT_TRUE(visitor.choose("Gallery")) << visitor.heard();
-    ASSERT_TRUE(visitor.choose_picture("A heart")) << visitor.heard();
-    ASSERT_TRUE(visitor.wait_for("Guide me along the")) << visitor.heard();
+    ASSERT_NO_FATAL_FAILURE(open_gallery_picture(visitor, "A heart"));
     world.run(1.0);
 }
 
