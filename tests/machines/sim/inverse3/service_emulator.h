@@ -4,7 +4,7 @@
 #pragma once
 
 #include "haptics/device/inverse3/inverse3_frames.h"
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 
 #include <memory>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "haptics/device/pantograph_board.h"
+#include "haptics/device/board/pantograph_board.h"
 
 #include "config/types/angle.h"
 

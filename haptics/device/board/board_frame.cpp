@@ -1,4 +1,4 @@
-#include "haptics/device/board_frame.h"
+#include "haptics/device/board/board_frame.h"
 
 #include "config/types/angle.h"
 

@@ -6,8 +6,8 @@
 
 #include "config/settings/boards.h"
 #include "config/types/result.h"
-#include "haptics/device/board_link.h"
-#include "haptics/device/pantograph_board.h"
+#include "haptics/device/board/board_link.h"
+#include "haptics/device/board/pantograph_board.h"
 #include "haptics/pantograph/profile.h"
 
 #include <cstdint>

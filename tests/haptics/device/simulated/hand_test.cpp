@@ -1,4 +1,4 @@
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 
 #include <limits>
 #include <thread>

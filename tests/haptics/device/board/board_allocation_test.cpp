@@ -1,6 +1,6 @@
 // The driver's tick neither allocates nor locks. The test counts every such call of this program
 // while the driver reads and writes, also while it recovers.
-#include "haptics/device/pantograph_board.h"
+#include "haptics/device/board/pantograph_board.h"
 #include "tests/haptics/call_counts.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "haptics/device/usb_link.h"
+#include "haptics/device/board/usb_link.h"
 
 #include "config/types/steady_clock.h"
 

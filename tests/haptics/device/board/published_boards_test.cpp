@@ -1,7 +1,7 @@
 // Every kind of device as the maker's own programs and firmware handle it: 200 poses each, computed
 // without this code (published_boards.csv), byte for byte.
-#include "haptics/device/board_frame.h"
-#include "haptics/device/hapi.h"
+#include "haptics/device/board/board_frame.h"
+#include "haptics/device/board/hapi.h"
 #include "haptics/pantograph/kinematics.h"
 #include "tests/machines/sim/board/firmware.h"
 
@@ -31,7 +31,7 @@ struct PublishedCase {
 };
 
 std::vector<PublishedCase> published_cases() {
-    std::ifstream file(TOUCHLINE_SOURCE_DIR "/tests/haptics/device/published_boards.csv");
+    std::ifstream file(TOUCHLINE_SOURCE_DIR "/tests/haptics/device/board/published_boards.csv");
     std::vector<PublishedCase> cases;
     std::string line;
     std::getline(file, line);

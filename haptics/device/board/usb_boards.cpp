@@ -1,7 +1,7 @@
-#include "haptics/device/usb_boards.h"
+#include "haptics/device/board/usb_boards.h"
 
-#include "haptics/device/hapi.h"
-#include "haptics/device/usb_link.h"
+#include "haptics/device/board/hapi.h"
+#include "haptics/device/board/usb_link.h"
 
 #include <algorithm>
 #include <array>

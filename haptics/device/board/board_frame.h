@@ -5,7 +5,7 @@
 
 #include "config/types/calibration.h"
 #include "config/types/vec2.h"
-#include "haptics/device/hapi.h"
+#include "haptics/device/board/hapi.h"
 #include "haptics/pantograph/profile.h"
 
 #include <optional>

@@ -6,8 +6,8 @@
 
 #include "config/types/calibration.h"
 #include "config/types/result.h"
-#include "haptics/device/board_frame.h"
-#include "haptics/device/board_link.h"
+#include "haptics/device/board/board_frame.h"
+#include "haptics/device/board/board_link.h"
 #include "haptics/device/force_device.h"
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // What the driver finds, leaves and loses: boards that others drove, stopping, the plug.
-#include "haptics/device/pantograph_board.h"
+#include "haptics/device/board/pantograph_board.h"
 #include "tests/machines/sim/board/board_rig.h"
 
 #include <limits>

@@ -2,7 +2,7 @@
 // sampled at period T and acting after a delay, is stable up to about b / (T/2 + delay), and
 // exactly up to the eigenvalue limits below.
 
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 
 #include <cmath>
 #include <vector>

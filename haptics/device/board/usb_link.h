@@ -3,8 +3,8 @@
 #pragma once
 
 #include "config/types/pinned.h"
-#include "haptics/device/board_link.h"
-#include "haptics/device/usb_boards.h"
+#include "haptics/device/board/board_link.h"
+#include "haptics/device/board/usb_boards.h"
 
 #include <array>
 #include <atomic>

@@ -1,6 +1,6 @@
 // A handle that turns: the third motor on the wire, through the driver and in the simulation.
-#include "haptics/device/hapi.h"
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/board/hapi.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 #include "tests/machines/sim/board/board_rig.h"
 
 #include <cmath>

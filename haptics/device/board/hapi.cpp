@@ -1,4 +1,4 @@
-#include "haptics/device/hapi.h"
+#include "haptics/device/board/hapi.h"
 
 #include <bit>
 #include <cmath>

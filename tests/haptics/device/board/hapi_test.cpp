@@ -1,7 +1,7 @@
 // The wire protocol against bytes worked out from the firmware by hand.
-#include "haptics/device/hapi.h"
+#include "haptics/device/board/hapi.h"
 
-#include "haptics/device/board_frame.h"
+#include "haptics/device/board/board_frame.h"
 
 #include <cstdint>
 #include <limits>

@@ -1,5 +1,5 @@
 // The driver against the emulated board: how it copes with each habit of the firmware.
-#include "haptics/device/pantograph_board.h"
+#include "haptics/device/board/pantograph_board.h"
 
 #include "tests/machines/sim/board/board_rig.h"
 
