@@ -3,7 +3,7 @@
 #pragma once
 
 #include "haptics/device/drives/joint_drives.h"
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 #include "haptics/pantograph/profile.h"
 
 #include <array>
