@@ -5,8 +5,8 @@
 
 #include "app/force/servo/servo_program.h"
 #include "config/types/steady_clock.h"
+#include "haptics/device/board/pantograph_board.h"
 #include "haptics/device/homing.h"
-#include "haptics/device/pantograph_board.h"
 #include "haptics/servo/real_time.h"
 
 #include <atomic>

@@ -3,7 +3,7 @@
 
 #include "app/main/life_signs.h"
 #include "config/types/pinned.h"
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 #include "haptics/servo/servo_step.h"
 
 #include <array>

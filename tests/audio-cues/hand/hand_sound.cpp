@@ -3,7 +3,7 @@
 #include "app/force/servo/scene_order.h"
 #include "audio-cues/cues/cue_table.h"
 #include "audio-cues/cues/guidance.h"
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 #include "haptics/servo/servo_step.h"
 #include "tests/haptics/tick.h"
 

@@ -1,5 +1,5 @@
 // Guidance, patterns, frame and ceiling through the whole tick on the simulated pantograph.
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 #include "haptics/guidance/guidance.h"
 #include "tests/haptics/servo/step_bench.h"
 

@@ -2,7 +2,7 @@
 // pantograph.
 #include "haptics/safety/hand_work.h"
 
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 #include "tests/haptics/servo/step_bench.h"
 
 #include <algorithm>

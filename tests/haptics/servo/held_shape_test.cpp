@@ -1,5 +1,5 @@
 // A shape in the hand through the production tick: keys or a handle turn it, lines hold it.
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 #include "haptics/servo/servo_loop.h"
 #include "tests/haptics/servo/rigs.h"
 #include "tests/haptics/servo/step_bench.h"

@@ -2,7 +2,7 @@
 
 #include "haptics/servo/recording.h"
 
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 #include "haptics/servo/recorder.h"
 #include "haptics/servo/servo_loop.h"
 #include "tests/haptics/servo/rigs.h"

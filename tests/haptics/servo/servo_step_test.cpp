@@ -1,6 +1,6 @@
 #include "haptics/servo/servo_step.h"
 
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 #include "tests/haptics/scenes.h"
 #include "tests/haptics/servo/rigs.h"
 #include "tests/haptics/servo/step_bench.h"

@@ -1,6 +1,6 @@
 #include "haptics/servo/servo.h"
 
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 #include "tests/haptics/servo/rigs.h"
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 // Whole sessions of every simulated hand: the force never breaks a limit, and no hand that holds
 // the handle in ordinary use loses its force.
 
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 #include "haptics/servo/servo_step.h"
 #include "tests/haptics/scenes.h"
 #include "tests/haptics/servo/rigs.h"

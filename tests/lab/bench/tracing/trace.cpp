@@ -1,6 +1,6 @@
 #include "tests/lab/bench/tracing/trace.h"
 
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 #include "haptics/servo/servo_step.h"
 #include "tests/lab/bench/tracing/follower.h"
 #include "tests/lab/bench/tracing/wall_follower.h"

@@ -1,7 +1,7 @@
 // jitter board|libusb SECONDS: runs the servo at 1 kHz on the emulated board, in the same process
 // or through libusb (under umockdev-wrapper), for so long; prints one row of the table of
 // tests/machines/sim/README.md.
-#include "haptics/device/usb_boards.h"
+#include "haptics/device/board/usb_boards.h"
 #include "haptics/servo/servo.h"
 #include "tests/haptics/servo/rigs.h"
 #include "tests/machines/sim/board/board_rig.h"

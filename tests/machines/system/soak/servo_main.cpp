@@ -3,7 +3,7 @@
 //
 //   soak_servo SOCKET BOARD
 #include "app/force/servo/servo_program.h"
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 #include "tests/app/force/servo/mapped_file.h"
 #include "tests/machines/system/soak/soak_board.h"
 
