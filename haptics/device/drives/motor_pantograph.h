@@ -6,7 +6,7 @@
 
 #include "config/types/result.h"
 #include "haptics/device/drives/motor_pair.h"
-#include "haptics/device/force_device.h"
+#include "haptics/device/joint_device.h"
 
 #include <cstdint>
 #include <memory>
@@ -34,7 +34,7 @@ struct DriveReport {
 };
 
 /// Threads: as ForceDevice. Only open(), end_in_zero(), stop() and the destructor wait.
-class MotorPantograph final : public ForceDevice {
+class MotorPantograph final : public JointDevice {
   public:
     /// `drives` must have passed check(). The torque limit is the profile's.
     MotorPantograph(std::unique_ptr<MotorPair> pair, const DeviceProfile& profile,

@@ -55,6 +55,9 @@ class Inverse3Session {
     /// earlier question is taken for another.
     [[nodiscard]] std::optional<CommandText> due(const WantedArmForce& newest, double now_s);
 
+    /// True once a device is chosen, which stays the same.
+    [[nodiscard]] bool has_arm() const { return arm_.has_value(); }
+
     /// Notes that the service closed the conversation.
     void lose() { news_.is_gone = true; }
 
