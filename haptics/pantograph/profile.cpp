@@ -125,10 +125,29 @@ constexpr std::array profiles{
                   turning_handle},
 };
 
+// Not sold by anyone. Mechanics: between those of the five-bars and what a device with three axes
+// and gears may have.
+constexpr DeviceProfile made_up_cartesian() {
+    DeviceProfile profile;
+    profile.name = "cartesian";
+    profile.area = Area{0.116, 0.084};
+    profile.centre = Position{0.0, 0.15};
+    profile.force_limit_N = 3.0;
+    profile.mechanics = MechanicsProfile{0.10, 0.3, 0.10, 1e-3};
+    profile.cartesian = CartesianDevice{2e-5, 1.8};
+    return profile;
+}
+
+constexpr std::array cartesians{made_up_cartesian()};
+
 }  // namespace
 
 std::span<const DeviceProfile> device_profiles() {
     return profiles;
+}
+
+std::span<const DeviceProfile> cartesian_profiles() {
+    return cartesians;
 }
 
 const DeviceProfile& default_profile() {
@@ -145,6 +164,11 @@ Result<DeviceProfile> find_profile(std::string_view name) {
                    names);
 }
 
+Result<DeviceProfile> find_device_profile(std::string_view name) {
+    const auto* const found = std::ranges::find(cartesians, name, &DeviceProfile::name);
+    return found != cartesians.end() ? *found : find_profile(name);
+}
+
 DeviceProfile profile_or_default(std::string_view name) {
     return find_profile(name).value_or(default_profile());
 }
@@ -159,6 +183,7 @@ double encoder_quantum_rad(const TurningHandle& handle) {
 }
 
 double encoder_step_m(const DeviceProfile& profile) {
+    if (profile.cartesian) return profile.cartesian->step_m;
     const auto angles = inverse(profile.geometry, profile.centre);
     const auto pose = forward(profile.geometry, angles.value());
     return singular_values(pose.value().jacobian, encoder_quantum(profile)).largest;

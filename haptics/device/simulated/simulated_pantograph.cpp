@@ -181,7 +181,8 @@ Force PantographPlant::force_W() const {
 SimulatedPantograph::SimulatedPantograph(const DeviceProfile& profile,
                                          const SimulationOptions& options,
                                          std::shared_ptr<const IntendedPath> path)
-    : profile_(profile),
+    : JointDevice(profile.geometry),
+      profile_(profile),
       arm_1_scale_error_(options.arm_1_scale_error),
       plant_(profile, options.hand, options.substep_s, std::move(path)) {}
 

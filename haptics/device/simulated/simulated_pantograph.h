@@ -5,7 +5,7 @@
 #pragma once
 
 #include "config/types/vec2.h"
-#include "haptics/device/force_device.h"
+#include "haptics/device/joint_device.h"
 #include "haptics/pantograph/profile.h"
 
 #include <array>
@@ -232,7 +232,7 @@ struct SimulationOptions {
 };
 
 /// Threads: as ForceDevice; another thread may lead the path if the path allows it.
-class SimulatedPantograph final : public ForceDevice {
+class SimulatedPantograph final : public JointDevice {
   public:
     /// The tip starts at rest where the path starts, or at the centre of the drawing area if that
     /// is out of reach.
