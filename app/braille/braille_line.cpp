@@ -10,6 +10,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -44,19 +45,23 @@ struct BrailleLine::Desk {
 };
 
 BrailleLine::BrailleLine(BrailleUse use)
-    : wake_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)),
-      use_(use),
-      orders_{use},
-      thread_([this](const std::stop_token& stop) { run(stop); }) {}
+    : wake_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)), use_(use), orders_{use} {
+    try {
+        thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+    } catch (const std::system_error&) {
+        report("the braille line has no thread to run on; start the kiosk again");
+    }
+}
 
 BrailleLine::~BrailleLine() {
     thread_.request_stop();
     give(Forget{});
-    thread_.join();
+    if (thread_.joinable()) thread_.join();
     close(wake_);
 }
 
 void BrailleLine::give(Order order) {
+    if (!thread_.joinable()) return;  // nobody would ever take it
     {
         const std::lock_guard lock(mutex_);
         if (orders_.size() >= most_waiting) {

@@ -5,7 +5,8 @@
 //
 // Threads: the kiosk's, and one of its own, which translates and talks to brltty. They share a list
 // of orders and one of events under a mutex, held for as long as a value is moved. Where no brltty
-// is the thread looks for one every line_look_s; otherwise it sleeps until something comes.
+// is the thread looks for one every line_look_s; otherwise it sleeps until something comes. On a
+// machine that has no thread left there is no line, and the report says so.
 #pragma once
 
 #include "app/braille/visitor_braille.h"

@@ -193,7 +193,7 @@ void Kiosk::step(std::int64_t now_ns) {
     follow_stick(now_ns);
     follow_loader();
     follow_camera();
-    if (!takes_pen()) pen_.drop();
+    follow_pen();
     handle_.look();
     follow_braille();
     if (now_s_ - ticked_s_ >= tick_s) tick();
@@ -282,6 +282,13 @@ bool Kiosk::takes_pen() const {
 void Kiosk::change_pen(const PenChange& change) {
     if (!takes_pen()) return;
     tell(pen_.step(change, visit_.visitor.drawing->area()));
+}
+
+/// Somebody left the drawing while another one drew.
+void Kiosk::follow_pen() {
+    if (takes_pen() || !pen_.is_down()) return;
+    pen_.drop();
+    apply(StrokeLost{});
 }
 
 /// The first page of a picture stands for it in its list.

@@ -196,6 +196,7 @@ class Kiosk : private Pinned {
     void offer(std::vector<FilePtr> files, const StickRest& rest);
     void follow_loader();
     void feel_drawing(const FeelDrawing& order);
+    void follow_pen();
     void keep_lines_of_felt();
     void follow_camera();
     void follow_printer();

@@ -4,7 +4,6 @@
 #include "config/types/pinned.h"
 #include "config/types/steady_clock.h"
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -112,8 +111,9 @@ class CupsWork {
 
   private:
     [[nodiscard]] Answer ask(ipp_op_t what, int job, std::span<const char* const> attributes);
-    [[nodiscard]] bool remove(int job);
-    [[nodiscard]] bool remove_ours();
+    // Nothing: no job is left.
+    [[nodiscard]] std::optional<PrintEnd> remove(int job);
+    [[nodiscard]] std::optional<PrintEnd> remove_ours();
     [[nodiscard]] bool remove_ours_later();
     [[nodiscard]] bool is_connected() const;
     [[nodiscard]] std::optional<PrintEnd> trouble();
@@ -152,28 +152,34 @@ Answer CupsWork::ask(ipp_op_t what, int job, std::span<const char* const> attrib
 
 /// Takes the job out of the printer, the spool and the history. One that is being printed is ended
 /// first, and removed by a request after that.
-bool CupsWork::remove(int job) {
+std::optional<PrintEnd> CupsWork::remove(int job) {
     constexpr std::array wanted{"job-state"};
     for (const double end_s = now_s() + patience_.answer_s; now_s() < end_s;
          wait(patience_.poll_s)) {
         (void)ask(IPP_OP_CANCEL_JOB, job, {});
         const Answer left = ask(IPP_OP_GET_JOB_ATTRIBUTES, job, wanted);
-        if (!left) return false;
-        if (ippGetStatusCode(left.get()) == IPP_STATUS_ERROR_NOT_FOUND) return true;
+        if (!left) return PrintEnd::no_answer;
+        if (ippGetStatusCode(left.get()) == IPP_STATUS_ERROR_NOT_FOUND) return std::nullopt;
     }
-    return false;
+    return PrintEnd::not_cleared;
 }
 
-bool CupsWork::remove_ours() {
+std::optional<PrintEnd> CupsWork::remove_ours() {
     constexpr std::array wanted{"job-id"};
     const Answer answer = ask(IPP_OP_GET_JOBS, 0, wanted);
-    if (!is_good(answer)) return false;
+    if (!is_good(answer)) {
+        const PrintEnd end = end_of(cupsLastError());
+        return end == PrintEnd::unknown || end == PrintEnd::no_answer ? end : PrintEnd::not_cleared;
+    }
     std::vector<int> jobs;
     for (ipp_attribute_t* each = ippFirstAttribute(answer.get()); each != nullptr;
          each = ippNextAttribute(answer.get()))
         if (ippGetName(each) != nullptr && std::string_view(ippGetName(each)) == "job-id")
             jobs.push_back(ippGetInteger(each, 0));
-    return std::ranges::count_if(jobs, [this](int job) { return !remove(job); }) == 0;
+    std::optional<PrintEnd> left;
+    for (const int job : jobs)
+        if (const auto end = remove(job)) left = end;
+    return left;
 }
 
 /// CUPS went away with a job of ours; its service may start it again.
@@ -181,7 +187,7 @@ bool CupsWork::remove_ours_later() {
     for (const double end_s = now_s() + patience_.service_s; now_s() < end_s;
          wait(patience_.poll_s)) {
         connection_ = connection_to(queue_, patience_);
-        if (connection_ && remove_ours()) return true;
+        if (connection_ && !remove_ours()) return true;
         if (patience_.has_to_end()) return false;
     }
     return false;
@@ -285,10 +291,7 @@ PrintEnd CupsWork::follow(int job) {
 
 PrintEnd CupsWork::check() {
     if (!connection_) return PrintEnd::no_service;
-    if (!remove_ours()) {
-        const PrintEnd end = end_of(cupsLastError());
-        return end == PrintEnd::unknown || end == PrintEnd::no_answer ? end : PrintEnd::not_cleared;
-    }
+    if (const auto left = remove_ours()) return *left;
     return trouble().value_or(PrintEnd::printed);
 }
 
@@ -312,7 +315,7 @@ PrintEnd CupsWork::print(std::span<const std::byte> sheet, SheetKind kind) {
         (void)remove_ours_later();
         return end;
     }
-    if (remove(job) || remove_ours_later()) return end;
+    if (!remove(job) || remove_ours_later()) return end;
     return end == PrintEnd::printed ? PrintEnd::not_removed : end;
 }
 

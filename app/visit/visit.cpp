@@ -258,8 +258,8 @@ bool is_one_of(const VisitEvent& event) {
 /// What a visitor does and hears an answer to. A hand that moves hears the names of parts alone.
 bool is_act(const VisitEvent& event) {
     return is_one_of<KeyPressed, KeyHeld, SpeechKeyPressed, DeadKeyPressed, HeadphonesChanged,
-                     StickArriving, StickCame, StickGone, QuitAsked, PenStroke, DrawerKeyPressed>(
-        event);
+                     StickArriving, StickCame, StickGone, QuitAsked, PenStroke, StrokeLost,
+                     DrawerKeyPressed>(event);
 }
 
 /// The orders that follow from the state alone; they come before what the step said and did.

@@ -202,6 +202,17 @@ void take(VisitWork& work, const PenStroke& stroke) {
     change_by_pen(work, drawing.without_line_near(stroke.points_W.front(), erase_reach_m), false);
 }
 
+/// Half a line is not what was meant, so it is not felt; whoever drew it must know. The next
+/// visitor hears nothing of it.
+void take(VisitWork& work, const StrokeLost& /*lost*/) {
+    if (!is_visit_on(visit_of(work))) return;
+    work.visitor.active_s = work.site.now_s;
+    cue(work, ScreenEvent::key_refused);
+    say_next(work, words(work,
+                         "That line was not taken, for the drawing left the screen. "
+                         "Draw it again later."));
+}
+
 void take(VisitWork& work, const DrawerKeyPressed& pressed) {
     if (!takes_pen(visit_of(work))) return take(work, DeadKeyPressed{});
     const PictureFocus focus(work);

@@ -52,6 +52,9 @@ struct PenStroke {
     bool is_eraser = false;
 };
 
+/// A stroke that was under way is lost: the drawing is no longer on the screen.
+struct StrokeLost {};
+
 /// Keys of whoever draws. Each is also an item of the drawing's screen, or the pen's eraser.
 enum class DrawerKey : std::uint8_t { erase, undo, redo };
 
@@ -204,10 +207,10 @@ struct QuitAsked {};
 
 using VisitEvent =
     std::variant<Tick, KeyPressed, KeyHeld, SpeechKeyPressed, DeadKeyPressed, KnobTurned, PenStroke,
-                 DrawerKeyPressed, HandleSeen, LineRead, HeadphonesChanged, StickArriving,
-                 StickCame, PicturesGiven, StickGone, PictureReady, ThingsLookedFor, PictureFailed,
-                 CameraChanged, CameraCaptured, CameraFailed, SheetEnded, GuidanceEnded,
-                 TroubleBegan, TroubleEnded, OpeningChanged, SettingsChanged, StaffCalledOff,
-                 QuitAsked>;
+                 StrokeLost, DrawerKeyPressed, HandleSeen, LineRead, HeadphonesChanged,
+                 StickArriving, StickCame, PicturesGiven, StickGone, PictureReady, ThingsLookedFor,
+                 PictureFailed, CameraChanged, CameraCaptured, CameraFailed, SheetEnded,
+                 GuidanceEnded, TroubleBegan, TroubleEnded, OpeningChanged, SettingsChanged,
+                 StaffCalledOff, QuitAsked>;
 
 }  // namespace touchline

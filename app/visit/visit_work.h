@@ -217,6 +217,7 @@ void take(VisitWork& work, const HandleSeen& handle);
 /// Whoever turns pages is there. It does not stop a handle that leads: whoever is led may read.
 void take(VisitWork& work, const LineRead& read);
 void take(VisitWork& work, const PenStroke& stroke);  // visit_drawing.cpp
+void take(VisitWork& work, const StrokeLost& lost);
 void take(VisitWork& work, const DrawerKeyPressed& key);
 /// Turns a held shape. Says nothing: the hand feels a knob turn.
 void take(VisitWork& work, const KnobTurned& knob);

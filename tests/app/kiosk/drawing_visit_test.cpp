@@ -199,8 +199,18 @@ TEST(DrawingVisit, ThePenDrawsOnlyOnADrawingThatIsOnTheScreen) {
     visitor.press(KeyRole::back);  // the visitor leaves while the pen is down
     EXPECT_FALSE(world.kiosk().takes_pen());
     EXPECT_FALSE(world.kiosk().pen().is_down());
+    EXPECT_TRUE(visitor.wait_for("That line was not taken, for the drawing left the screen."))
+        << visitor.heard();
     world.kiosk().change_pen({PenMotion::lift, floor_right});
     EXPECT_EQ(lines_felt(world), 0U);
+    // A pen that was up has lost nothing.
+    ASSERT_TRUE(visitor.choose("Back to the picture")) << visitor.heard();
+    draw(world, floor_left, floor_right);
+    const std::size_t before = world.heard().things.size();
+    visitor.press(KeyRole::back);
+    world.run(3.0);
+    EXPECT_FALSE(world.heard().was_said("That line was not taken", before)) << visitor.heard();
+    EXPECT_EQ(lines_felt(world), 1U);
 }
 
 TEST(DrawingVisit, AVisitorWhoSetsTheFirmnessEndsNoStroke) {
@@ -276,6 +286,7 @@ TEST(DrawingVisit, NothingOfItStaysForTheNextVisitor) {
     EXPECT_EQ(lines_felt(world), 0U);
     EXPECT_EQ(world.servo().picture().map->drawing, 0U);
     EXPECT_EQ(world.servo().recordings_forgotten, 1);
+    EXPECT_FALSE(world.heard().was_said("That line was not taken"));
 }
 
 }  // namespace

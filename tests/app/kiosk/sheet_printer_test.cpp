@@ -1,6 +1,8 @@
 // Tests how a kiosk uses its printer: one thing at a time, and looks at the queue now and then.
 #include "app/kiosk/sheet_printer.h"
 
+#include "tests/config/no_threads.h"
+
 #include <atomic>
 #include <chrono>
 #include <mutex>
@@ -131,6 +133,21 @@ TEST(SheetPrinter, AThreadThatFailsIsAnEndToo) {
     printer.print({}, sheet_at("sheets"));
     EXPECT_EQ(settle(printer, "sheets", 0.0), PrintEnd::not_started);
     EXPECT_EQ(printer.condition(), PrintEnd::not_started);
+}
+
+TEST(SheetPrinter, AThreadThatCannotStartIsAnEndToo) {
+    FakePrinter fake;
+    SheetPrinter printer(fake.printing());
+    {
+        const NoThreads none;
+        printer.print({}, sheet_at("sheets"));
+        EXPECT_EQ(settle(printer, "sheets", 0.0), PrintEnd::not_started);
+        EXPECT_EQ(printer.condition(), PrintEnd::not_started);
+    }
+    EXPECT_EQ(fake.sheets, 0);
+    EXPECT_EQ(fake.checks, 0);
+    (void)settle(printer, "sheets", SheetPrinter::check_every_s);
+    EXPECT_EQ(printer.condition(), PrintEnd::printed) << "once there is a thread again";
 }
 
 TEST(SheetPrinter, EndsWhileASheetIsPrinted) {

@@ -59,7 +59,7 @@ PreserveJobHistory KEEPS
     Order deny,allow
   </Limit>
   <Limit Cancel-Job>
-    Require user @OWNER @SYSTEM
+    Require user REMOVERS
     Order deny,allow
   </Limit>
   <Limit All>
@@ -144,8 +144,10 @@ OwnCups::OwnCups(CupsKeeps keeps)
     fs::permissions(folder_ / "out", fs::perms(0777));  // a backend is another user, under root
     // The program of CUPS that starts backends.
     fs::create_directory_symlink("/usr/lib/cups/daemon", folder_ / "bin/daemon");
+    const std::string rules = with(settings, "KEEPS", keeps == CupsKeeps::nothing ? "No" : "Yes");
     write(folder_ / "etc/cupsd.conf",
-          with(with(settings, "FOLDER", place), "KEEPS", keeps == CupsKeeps::all ? "Yes" : "No"));
+          with(with(rules, "FOLDER", place), "REMOVERS",
+               keeps == CupsKeeps::for_good ? "nobody" : "@OWNER @SYSTEM"));
     write(folder_ / "etc/cups-files.conf", with(files, "FOLDER", place));
     write(folder_ / "etc/printers.conf", queues());
     start();

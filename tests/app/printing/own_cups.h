@@ -13,8 +13,9 @@
 
 namespace touchline {
 
-/// What CUPS keeps of jobs: nothing of itself, or all it can.
-enum class CupsKeeps : std::uint8_t { nothing, all };
+/// What CUPS keeps of jobs: nothing of itself, all it can, or all it can whoever wants to remove
+/// it.
+enum class CupsKeeps : std::uint8_t { nothing, all, for_good };
 
 /// The queues: "good" writes what it gets to printed(); "empty", "jammed" and "unplugged" tell so
 /// and wait; "slow" takes a minute; "broken" gives up; "paused" is stopped; "closed" takes no jobs.

@@ -136,6 +136,17 @@ TEST_F(Printing, TI4_ACupsThatComesBackIsCleanedAtOnce) {
     expect_no_sheet_left(cups);
 }
 
+/// A site's rules may let nobody remove jobs. Then one sheet stays, and no second one follows it.
+TEST_F(Printing, TI4_WhereSheetsCannotBeRemovedNoMoreArePrinted) {
+    const OwnCups cups(CupsKeeps::for_good);
+    EXPECT_EQ(check(cups, "good"), PrintEnd::printed) << "nothing is there yet";
+    EXPECT_EQ(print(cups, "good"), PrintEnd::not_removed);
+    const std::string told = cups.told();
+    EXPECT_EQ(check(cups, "good"), PrintEnd::not_cleared);
+    EXPECT_EQ(print(cups, "good"), PrintEnd::not_cleared);
+    EXPECT_EQ(cups.told(), told) << "nothing was printed";
+}
+
 TEST_F(Printing, WithoutCupsOneKnowsAtOnce) {
     const CupsQueue nowhere{"/nowhere/cups.sock", "good"};
     const auto start = std::chrono::steady_clock::now();

@@ -196,6 +196,26 @@ TEST(VisitDrawing, WhatCannotBeDrawnIsToldAndChangesNothing) {
     EXPECT_EQ(line_count(house), 0U);
 }
 
+/// The visitor went back to the main menu while the pen was down.
+TEST(VisitDrawing, AStrokeThatIsLostIsToldAndNeverFelt) {
+    FakeHouse house;
+    to_drawing(house);
+    draw(house, 0.0);
+    house.press(KeyRole::back);
+    house.apply(StrokeLost{});
+    EXPECT_EQ(house.last<GiveCue>()[0].event, ScreenEvent::key_refused);
+    EXPECT_EQ(house.last_said(),
+              "That line was not taken, for the drawing left the screen. Draw it again later.");
+    EXPECT_EQ(house.transcript.back().priority, SpeechPriority::hint) << "the menu is said first";
+    EXPECT_TRUE(house.last<FeelDrawing>().empty());
+    EXPECT_EQ(house.open(), VisitScreen::choose);
+    EXPECT_EQ(line_count(house), 1U);
+    finish(house);
+    const std::size_t before = house.transcript.size();
+    house.apply(StrokeLost{});
+    EXPECT_EQ(house.transcript.size(), before) << "nothing of it is told to the next visitor";
+}
+
 TEST(VisitDrawing, ThePenDoesNothingWithoutADrawing) {
     FakeHouse house;
     to_picture(house);
