@@ -9,5 +9,7 @@ namespace touchline {
 
 [[nodiscard]] std::unique_ptr<DeviceRig> board_rig();
 [[nodiscard]] std::unique_ptr<DeviceRig> simulated_pantograph_rig();
+[[nodiscard]] std::unique_ptr<DeviceRig> moteus_rig();
+[[nodiscard]] std::unique_ptr<DeviceRig> odrive_rig();
 
 }  // namespace touchline
