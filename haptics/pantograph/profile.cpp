@@ -155,7 +155,20 @@ constexpr DeviceProfile made_up_cartesian() {
     return profile;
 }
 
-constexpr std::array cartesians{made_up_cartesian()};
+// The drawing area lies about the middle of the arm's reach, in which the maker's programs send the
+// handle 0.10 m around; all its corners are nearer. The maker publishes no mechanics: estimates.
+constexpr DeviceProfile inverse3() {
+    DeviceProfile profile;
+    profile.name = "inverse3";
+    profile.area = Area{0.160, 0.100};
+    profile.centre = Position{0.0, 0.12};
+    profile.force_limit_N = 3.0;
+    profile.mechanics = MechanicsProfile{0.15, 0.3, 0.10, 2e-3};
+    profile.cartesian = CartesianDevice{5e-5, 1.5};
+    return profile;
+}
+
+constexpr std::array cartesians{made_up_cartesian(), inverse3()};
 
 }  // namespace
 

@@ -97,7 +97,7 @@ struct DeviceProfile {
 /// the same stopped at 240/-60, haplet, mk2, gen3.1-turning.
 [[nodiscard]] std::span<const DeviceProfile> device_profiles();
 
-/// cartesian, a made-up one for the simulation.
+/// cartesian, a made-up one for the simulation; inverse3, its drawing area level before its foot.
 [[nodiscard]] std::span<const DeviceProfile> cartesian_profiles();
 
 /// open-five-bar: arms of the size of the mk2's, which one builds, on motors with controllers of

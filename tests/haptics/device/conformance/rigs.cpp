@@ -14,6 +14,15 @@ RigPromises of_the_board() {
     return promises;
 }
 
+/// It knows by itself where its handle is, and its service goes idle when a client leaves.
+RigPromises of_the_inverse3() {
+    RigPromises promises;
+    promises.place_m = 2e-4;
+    promises.needs_opening = false;
+    promises.free_s = 0.001;
+    return promises;
+}
+
 /// In software there is no line: it can only be taken away.
 RigPromises of_the_simulated_pantograph() {
     RigPromises promises;
@@ -33,11 +42,19 @@ RigPromises of_controllers() {
     return promises;
 }
 
+RigPromises of_the_simulated_cartesian() {
+    RigPromises promises = of_the_simulated_pantograph();
+    promises.place_m = 5e-5;
+    return promises;
+}
+
 const std::array rows{
     RigRow{"UsbBoard", board_rig, of_the_board()},
+    RigRow{"Inverse3", inverse3_rig, of_the_inverse3()},
     RigRow{"SimulatedPantograph", simulated_pantograph_rig, of_the_simulated_pantograph()},
     RigRow{"Moteus", moteus_rig, of_controllers()},
     RigRow{"Odrive", odrive_rig, of_controllers()},
+    RigRow{"SimulatedCartesian", simulated_cartesian_rig, of_the_simulated_cartesian()},
 };
 
 }  // namespace

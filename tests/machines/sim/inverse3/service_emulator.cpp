@@ -107,7 +107,7 @@ std::string ServiceEmulator::answer(std::string_view text) {
 }
 
 void ServiceEmulator::apply(Space force_N) {
-    if (force_N == applied_N_) return;
+    if (force_N == applied_N_ || (truth_.clings && force_N == Space{})) return;
     applied_N_ = force_N;
     told_.push_back({now_s_, force_N});
 }

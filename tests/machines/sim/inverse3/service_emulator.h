@@ -30,6 +30,7 @@ struct ServiceTruth {
     bool has_session = true;  // as services from 3.5 on
     /// From the last command to no force. The maker does not say how long.
     double idle_after_s = 0.1;
+    bool clings = false;  // it goes on applying the last force that is not zero, and says so
     Space centre_m{0.0, -0.13, 0.15};  // where the path's origin is
     HandModel hand = normal_hand;
     TipParameters tip;
