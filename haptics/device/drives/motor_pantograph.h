@@ -43,7 +43,8 @@ class MotorPantograph final : public JointDevice {
     ~MotorPantograph() override;
 
     /// Arms both controllers and waits for their first angles. The encoders say where the handle
-    /// is, unless is_position_doubtful. Takes 50 ms, or up to 3 s before it fails, in one line.
+    /// is, unless is_position_doubtful. Takes some tens of ms, or up to 3 s before it fails, in one
+    /// line.
     [[nodiscard]] Result<void> open();
 
     /// Returns the newest angles. Returns nothing while setting up, jumped, refused or lost, and at

@@ -6,11 +6,10 @@
 
 #include "config/types/vec2.h"
 #include "haptics/device/joint_device.h"
+#include "haptics/device/simulated/delayed.h"
 #include "haptics/pantograph/profile.h"
 
-#include <array>
 #include <atomic>
-#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -260,8 +259,7 @@ class SimulatedPantograph final : public JointDevice {
     [[nodiscard]] double acting_handle_torque_Nm() const { return plant_.handle_torque_Nm(); }
 
   private:
-    struct TimedTorques {
-        double from_s = 0.0;
+    struct Torques {
         JointTorques torques;
         double handle_Nm = 0.0;
     };
@@ -271,10 +269,8 @@ class SimulatedPantograph final : public JointDevice {
     DeviceProfile profile_;
     double arm_1_scale_error_;
     PantographPlant plant_;
-    double handle_Nm_ = 0.0;                  // goes with the next torques
-    std::array<TimedTorques, 64> pending_{};  // by time; first_pending_ is the oldest
-    std::size_t first_pending_ = 0;
-    std::size_t pending_count_ = 0;
+    double handle_Nm_ = 0.0;  // goes with the next torques
+    Delayed<Torques> pending_;
 };
 
 }  // namespace touchline

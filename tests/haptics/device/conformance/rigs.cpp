@@ -31,10 +31,17 @@ RigPromises of_the_simulated_pantograph() {
     return promises;
 }
 
+RigPromises of_the_simulated_cartesian() {
+    RigPromises promises = of_the_simulated_pantograph();
+    promises.place_m = 5e-5;
+    return promises;
+}
+
 const std::array rows{
     RigRow{"UsbBoard", board_rig, of_the_board()},
     RigRow{"Inverse3", inverse3_rig, of_the_inverse3()},
     RigRow{"SimulatedPantograph", simulated_pantograph_rig, of_the_simulated_pantograph()},
+    RigRow{"SimulatedCartesian", simulated_cartesian_rig, of_the_simulated_cartesian()},
 };
 
 }  // namespace

@@ -10,5 +10,6 @@ namespace touchline {
 [[nodiscard]] std::unique_ptr<DeviceRig> board_rig();
 [[nodiscard]] std::unique_ptr<DeviceRig> inverse3_rig();
 [[nodiscard]] std::unique_ptr<DeviceRig> simulated_pantograph_rig();
+[[nodiscard]] std::unique_ptr<DeviceRig> simulated_cartesian_rig();
 
 }  // namespace touchline
