@@ -76,9 +76,7 @@ void EmulatedService::send_answer(const std::string& text, double at_s) {
     if (!to_client_.empty()) answer.at_s = std::max(answer.at_s, to_client_.back().at_s);
     switch (fault) {
         case AnswerFault::none:
-            break;
         case AnswerFault::late:
-            answer.at_s += late_s_;
             break;
         case AnswerFault::lost:
             return;
