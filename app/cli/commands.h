@@ -181,4 +181,31 @@ struct ModelsCommandOptions {
 [[nodiscard]] Result<void> run_models(const ModelsCommandOptions& options, std::istream& in,
                                       std::ostream& out);
 
+// touchline bundle: what several kiosks of one house have alike, signed by the house.
+
+/// key: makes the key of this house and tells its fingerprint; or takes the key of another kiosk,
+/// if the fingerprint is the one that was typed. make: writes a bundle of this kiosk. check: tells
+/// what a bundle would change. apply: changes it, all or nothing. undo: goes back to before it.
+enum class BundleAction : std::uint8_t { key, make, check, apply, undo };
+
+struct BundleCommandOptions {
+    BundleAction action = BundleAction::check;
+    std::string input;        // the bundle; for key: the file of a key, or empty
+    std::string output;       // for make; for key: where the key goes, or empty
+    std::string fingerprint;  // for key
+};
+
+/// Fails with one line, and then nothing was changed.
+[[nodiscard]] Result<void> run_bundle(const BundleCommandOptions& options, std::ostream& out);
+
+// touchline counters: the days of several kiosks as one table.
+
+struct CountersCommandOptions {
+    std::vector<std::string> inputs;  // tables of kiosks
+    std::string output;               // ALL.csv
+};
+
+/// Writes the table whole or not at all.
+[[nodiscard]] Result<void> run_counters(const CountersCommandOptions& options);
+
 }  // namespace touchline

@@ -3,7 +3,7 @@
 #include "app/force/device/device_words.h"
 #include "app/force/device/procedures.h"
 #include "config/types/utf8.h"
-#include "haptics/device/usb_boards.h"
+#include "haptics/device/board/usb_boards.h"
 #include "haptics/servo/real_time.h"
 
 #include <atomic>

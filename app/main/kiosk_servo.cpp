@@ -5,7 +5,7 @@
 #include "app/isolation/process/places.h"
 #include "app/main/kiosk_window.h"
 #include "config/types/utf8.h"
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 
 #include <string>
 #include <utility>

@@ -7,7 +7,7 @@
 #include "app/force/servo/servo_client.h"
 #include "config/types/result.h"
 #include "config/types/vec2.h"
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 #include "haptics/pantograph/profile.h"
 
 #include <functional>

@@ -220,6 +220,13 @@ std::optional<Settings> with_value(Settings settings, const SettingRow& row,
     return settings;
 }
 
+Settings with_settings_of_house(Settings kiosk, const Settings& house) {
+    for (const SettingRow& row : setting_rows())
+        if (row.owner == SettingOwner::house)
+            std::visit([&](auto field) { kiosk.*field = house.*field; }, row.field);
+    return kiosk;
+}
+
 std::string trespass(const Settings& before, const Settings& after) {
     if (after.force_ceiling_N > before.force_ceiling_N)
         return "'feel.force_ceiling_N' must not be above the site's " +

@@ -45,6 +45,10 @@ enum class TextKind : std::uint8_t {
     queue
 };
 
+/// house: several kiosks of one house have it alike, and a bundle brings it (app/house). kiosk: it
+/// belongs to one kiosk, its place or what is plugged in there.
+enum class SettingOwner : std::uint8_t { house, kiosk };
+
 struct SettingRow {
     std::string_view table;  // in TOML
     std::string_view key;
@@ -56,6 +60,7 @@ struct SettingRow {
     std::string_view help;                            // one sentence
     SettingLayer last_layer = SettingLayer::session;  // last layer that may set it
     TextKind text = TextKind::path;                   // for a std::string
+    SettingOwner owner = SettingOwner::house;
 };
 
 /// Returns the rows in the order of the file and of the screens; the rows of a table are
@@ -77,6 +82,9 @@ using SettingValue = std::variant<bool, double, std::string>;
 /// that is not allowed.
 [[nodiscard]] std::optional<Settings> with_value(Settings settings, const SettingRow& row,
                                                  const SettingValue& value);
+
+/// Returns `kiosk` with every row that belongs to the house as it is in `house`.
+[[nodiscard]] Settings with_settings_of_house(Settings kiosk, const Settings& house);
 
 /// Describes in one sentence what a later layer changed without being allowed to; empty if nothing.
 /// A profile or a visit may lower the ceiling of the force, never raise it.

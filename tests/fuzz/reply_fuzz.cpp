@@ -1,5 +1,5 @@
 // For any packets of a board the driver gives finite angles or none, and never leaves torque on.
-#include "haptics/device/pantograph_board.h"
+#include "haptics/device/board/pantograph_board.h"
 #include "tests/haptics/tick.h"
 
 #include <algorithm>

@@ -71,7 +71,7 @@ bad_include haptics/curve/line.cpp '"curve.h"' 'no such file; include by path fr
 bad_include haptics/contact/contact.cpp '<opencv2/core.hpp>' 'allowed in: vision app tests'
 bad_include haptics/servo/loop.cpp '<GL/gl.h>' 'allowed in: app/screen'
 bad_include haptics/servo/loop.cpp '<samplerate.h>' 'allowed in: audio-cues/speech'
-bad_include haptics/servo/loop.cpp '<libusb-1.0/libusb.h>' 'allowed in: haptics/device'
+bad_include haptics/servo/loop.cpp '<libusb-1.0/libusb.h>' 'allowed in: haptics/device/board'
 bad_include vision/contour/edges.cpp '<opencv2/imgcodecs.hpp>' 'allowed in: nobody'
 bad_include tests/vision/edges_test.cpp '<opencv2/highgui.hpp>' 'allowed in: nobody'
 bad_include vision/contour/edges.cpp '<opencv2/opencv.hpp>' 'allowed in: nobody'

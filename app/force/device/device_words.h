@@ -3,7 +3,7 @@
 // Threads: pure functions.
 #pragma once
 
-#include "haptics/device/board_frame.h"
+#include "haptics/device/board/board_frame.h"
 #include "haptics/device/homing.h"
 #include "haptics/device/nudge_test.h"
 #include "haptics/pantograph/profile.h"

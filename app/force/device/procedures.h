@@ -5,8 +5,8 @@
 
 #include "config/types/calibration.h"
 #include "config/types/result.h"
+#include "haptics/device/board/pantograph_board.h"
 #include "haptics/device/nudge_test.h"
-#include "haptics/device/pantograph_board.h"
 #include "haptics/servo/real_time.h"
 
 #include <functional>

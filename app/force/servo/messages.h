@@ -8,7 +8,7 @@
 #include "config/types/calibration.h"
 #include "config/types/result.h"
 #include "haptics/collision/scene.h"
-#include "haptics/device/usb_boards.h"
+#include "haptics/device/board/usb_boards.h"
 #include "haptics/servo/exchange.h"
 #include "haptics/servo/recording.h"
 

@@ -2,7 +2,7 @@
 
 #include "app/force/servo/watched_board.h"
 #include "config/types/utf8.h"
-#include "haptics/device/usb_boards.h"
+#include "haptics/device/board/usb_boards.h"
 #include "haptics/pantograph/profile.h"
 #include "haptics/servo/real_time.h"
 

@@ -1,6 +1,6 @@
 #include "app/force/servo/usb_search.h"
 
-#include "haptics/device/usb_boards.h"
+#include "haptics/device/board/usb_boards.h"
 
 namespace touchline {
 namespace {

@@ -5,7 +5,7 @@
 #include "app/documents/decode/files.h"
 #include "app/documents/gallery/gallery.h"
 #include "app/force/servo/scene_order.h"
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 #include "haptics/servo/recording.h"
 #include "haptics/servo/servo_loop.h"
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/force/servo/servo_client.h"
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 #include "haptics/servo/rendering.h"
 #include "haptics/servo/servo_step.h"
 

@@ -7,7 +7,7 @@
 #include "config/types/contact_event.h"
 #include "config/types/result.h"
 #include "config/types/tactile_map.h"
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // The nudge test on the simulated pantograph, with motors that are off, reversed and swapped.
 #include "haptics/device/nudge_test.h"
 
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 #include "tests/haptics/tick.h"
 
 #include <cmath>

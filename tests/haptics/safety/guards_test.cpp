@@ -2,7 +2,7 @@
 
 #include "haptics/safety/guards.h"
 
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 #include "haptics/safety/hand_presence.h"
 #include "tests/haptics/safety/chains.h"
 

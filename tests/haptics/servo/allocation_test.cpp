@@ -1,6 +1,6 @@
 // The tick must not allocate. The test counts every allocation of this program during a tick.
 
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 #include "haptics/servo/servo_loop.h"
 #include "tests/haptics/call_counts.h"
 #include "tests/haptics/servo/crossing_hand.h"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "haptics/collision/scene.h"
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 
 #include <cmath>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // With its memory locked the tick causes no page fault. Runs in a process of its own, so that the
 // lock and the priority end with it.
 
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 #include "haptics/servo/real_time.h"
 #include "haptics/servo/servo_loop.h"
 #include "tests/haptics/servo/crossing_hand.h"

@@ -1,6 +1,6 @@
 #include "haptics/servo/servo_loop.h"
 
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 #include "tests/haptics/servo/rigs.h"
 #include "tests/haptics/tick.h"
 

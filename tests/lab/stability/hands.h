@@ -1,9 +1,9 @@
 // Hands that hold through the skin, well and badly damped, beside the rigid ones of
-// haptics/device/simulated_pantograph.h. The worst partner is a heavy arm behind a grip that damps
-// little. Threads: immutable values.
+// haptics/device/simulated/simulated_pantograph.h. The worst partner is a heavy arm behind a grip
+// that damps little. Threads: immutable values.
 #pragma once
 
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 
 namespace touchline::stability {
 

@@ -5,7 +5,7 @@
 // Threads: a value; const functions from any thread.
 #pragma once
 
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 
 #include <limits>
 

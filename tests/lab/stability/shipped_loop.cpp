@@ -1,6 +1,6 @@
 #include "tests/lab/stability/shipped_loop.h"
 
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "haptics/collision/scene.h"
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 #include "haptics/pantograph/profile.h"
 #include "tests/lab/stability/loop_controllers.h"
 

@@ -3,7 +3,7 @@
 // Threads: pure functions.
 #pragma once
 
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 
 #include <functional>
 #include <limits>

@@ -1,7 +1,7 @@
 // A person who does what homing says.
 #pragma once
 
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 #include "haptics/pantograph/kinematics.h"
 #include "haptics/pantograph/profile.h"
 

@@ -5,7 +5,7 @@
 #include "config/types/vec2.h"
 #include "haptics/collision/scene.h"
 #include "haptics/contact/proxy_state.h"
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 #include "tests/haptics/tick.h"
 
 #include <functional>

@@ -5,7 +5,7 @@
 #include "app/kiosk/loading/kiosk_stages.h"
 #include "app/kiosk/loading/loader.h"
 #include "app/kiosk/stick_source.h"
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 
 #include <algorithm>
 #include <array>

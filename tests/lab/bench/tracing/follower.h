@@ -4,7 +4,7 @@
 
 #include "config/types/tactile_map.h"
 #include "config/types/vec2.h"
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "tests/lab/bench/tracing/trace.h"
 
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 #include "haptics/servo/servo_step.h"
 #include "tests/lab/bench/tracing/follower.h"
 #include "tests/lab/bench/tracing/wall_follower.h"
@@ -65,8 +65,8 @@ class Rig {
 
     const HandState& tick() {
         const double now_s = period_s * static_cast<double>(ticks_++);
-        const StepInput input{now_s, 0, device_.read_angles(now_s), commands, &scene_};
-        (void)device_.write_torques(servo_.step(input));
+        const StepInput input{now_s, 0, device_.read(now_s), commands, &scene_};
+        (void)device_.write(servo_.step(input));
         return servo_.report().hand;
     }
 

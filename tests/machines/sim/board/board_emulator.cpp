@@ -1,6 +1,6 @@
 #include "tests/machines/sim/board/board_emulator.h"
 
-#include "haptics/device/board_frame.h"
+#include "haptics/device/board/board_frame.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 
 #include "config/types/calibration.h"
 #include "config/types/vec2.h"
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 #include "haptics/pantograph/profile.h"
 #include "tests/machines/sim/board/firmware.h"
 

@@ -1,7 +1,7 @@
 // A driver, its link and an emulated board on one virtual clock.
 #pragma once
 
-#include "haptics/device/pantograph_board.h"
+#include "haptics/device/board/pantograph_board.h"
 #include "tests/machines/sim/board/board_emulator.h"
 #include "tests/machines/sim/board/emulated_link.h"
 

@@ -2,7 +2,7 @@
 // somebody waits, with faults at chosen sends. Threads: one at a time.
 #pragma once
 
-#include "haptics/device/board_link.h"
+#include "haptics/device/board/board_link.h"
 #include "tests/machines/sim/board/board_emulator.h"
 
 #include <cstddef>

@@ -2,7 +2,7 @@
 // its outcome. Threads: pure.
 #pragma once
 
-#include "haptics/device/pantograph_board.h"
+#include "haptics/device/board/pantograph_board.h"
 #include "tests/machines/sim/board/emulated_link.h"
 
 #include <array>

@@ -2,8 +2,8 @@
 // relies on that.
 #include "tests/machines/sim/board/firmware.h"
 
-#include "haptics/device/board_frame.h"
-#include "haptics/device/hapi.h"
+#include "haptics/device/board/board_frame.h"
+#include "haptics/device/board/hapi.h"
 #include "tests/machines/sim/board/board_rig.h"
 
 #include <cmath>

@@ -2,7 +2,7 @@
 // the words say. Threads: one.
 #pragma once
 
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 #include "tests/app/force/device/person.h"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // jitter board|libusb SECONDS: runs the servo at 1 kHz on the emulated board, in the same process
 // or through libusb (under umockdev-wrapper), for so long; prints one row of the table of
 // tests/machines/sim/README.md.
-#include "haptics/device/usb_boards.h"
+#include "haptics/device/board/usb_boards.h"
 #include "haptics/servo/servo.h"
 #include "tests/haptics/servo/rigs.h"
 #include "tests/machines/sim/board/board_rig.h"
@@ -23,9 +23,9 @@ namespace {
 constexpr std::array<std::size_t, 9> bounds_us{20, 50, 100, 200, 500, 1000, 2000, 5000, 10000};
 
 /// The driver on an emulated board in this process, in real time.
-class BoardInProcess final : public ForceDevice {
+class BoardInProcess final : public JointDevice {
   public:
-    BoardInProcess() {
+    BoardInProcess() : JointDevice(default_profile().geometry) {
         if (!rig_.driver->open()) std::abort();
         start_s_ = rig_.time.now_s;
     }

@@ -1,8 +1,8 @@
 // Tests the driver's libusb half against the emulated board: the library's real code, but no USB in
 // the kernel.
-#include "haptics/device/usb_boards.h"
+#include "haptics/device/board/usb_boards.h"
 
-#include "haptics/device/pantograph_board.h"
+#include "haptics/device/board/pantograph_board.h"
 #include "tests/machines/sim/umockdev/mocked_board.h"
 #include "tests/machines/sim/umockdev/usb_rig.h"
 

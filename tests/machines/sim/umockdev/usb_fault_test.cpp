@@ -1,6 +1,6 @@
 // Tests every fault that libusb can meet, at moments that seeds choose, through the library's real
 // code. In real time: times are reported, but no test depends on the machine's speed.
-#include "haptics/device/usb_boards.h"
+#include "haptics/device/board/usb_boards.h"
 #include "tests/machines/sim/board/fault_run.h"
 #include "tests/machines/sim/fault_lines.h"
 #include "tests/machines/sim/umockdev/mocked_board.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "config/types/pinned.h"
-#include "haptics/device/pantograph_board.h"
+#include "haptics/device/board/pantograph_board.h"
 #include "haptics/servo/real_time.h"
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // measure ticks | listing IMPORT: prints figures of this machine, one line of words and numbers
 // each, for tests/machines/system/machine/run.
 #include "app/documents/sticks/import.h"
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 #include "haptics/servo/real_time.h"
 #include "haptics/servo/servo_loop.h"
 #include "tests/app/documents/sticks/stick_folder.h"

@@ -3,7 +3,7 @@
 //
 //   soak_servo SOCKET BOARD
 #include "app/force/servo/servo_program.h"
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 #include "tests/app/force/servo/mapped_file.h"
 #include "tests/machines/system/soak/soak_board.h"
 
@@ -36,9 +36,12 @@ class RoundTrip final : public IntendedPath {
     double time_s_ = 0.0;
 };
 
-class SoakDevice final : public ForceDevice {
+class SoakDevice final : public JointDevice {
   public:
-    explicit SoakDevice(SoakBoard& soak) : soak_(soak), pantograph_(default_profile(), {}, hand_) {}
+    explicit SoakDevice(SoakBoard& soak)
+        : JointDevice(default_profile().geometry),
+          soak_(soak),
+          pantograph_(default_profile(), {}, hand_) {}
 
     [[nodiscard]] std::optional<JointAngles> read_angles(double now_s) override {
         constexpr double tick_s = 1e-3;

@@ -1,7 +1,7 @@
 // board_probe BOARDS.toml TICKS: takes the only pantograph that is plugged in, drives it for TICKS
 // milliseconds with a small torque and stops it. Exits with 0, with 3 if the board was lost on the
 // way, or with 1 if there is none or it does not answer.
-#include "haptics/device/usb_boards.h"
+#include "haptics/device/board/usb_boards.h"
 
 #include <chrono>
 #include <cstdio>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/kiosk/kiosk.h"
-#include "haptics/device/simulated_pantograph.h"
+#include "haptics/device/simulated/simulated_pantograph.h"
 #include "haptics/safety/force_chain.h"
 #include "haptics/servo/recorder.h"
 #include "tests/machines/sim/kiosk/figures.h"
