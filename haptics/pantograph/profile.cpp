@@ -125,6 +125,23 @@ constexpr std::array profiles{
                   turning_handle},
 };
 
+// Of its motors it is asked no more than the mk2's give; encoders of 14 bits. Mechanics: the rotors
+// of such motors are heavier.
+constexpr DeviceProfile open_arms{"open-five-bar",
+                                  mk2_links,
+                                  JointAngles{16384.0, 16384.0},
+                                  0.1,
+                                  joints_at(150.0, 30.0),
+                                  Area{0.096, 0.072},
+                                  Position{0.0125, 0.084},
+                                  2.8,
+                                  200.0,
+                                  MechanicsProfile{0.07, 0.1, 0.05, 1e-3},
+                                  mk2_wiring,
+                                  StopPlace::sideways,
+                                  mk2_stretched,
+                                  std::nullopt};
+
 // Not sold by anyone. Mechanics: between those of the five-bars and what a device with three axes
 // and gears may have.
 constexpr DeviceProfile made_up_cartesian() {
@@ -163,6 +180,10 @@ std::span<const DeviceProfile> cartesian_profiles() {
     return cartesians;
 }
 
+const DeviceProfile& open_five_bar() {
+    return open_arms;
+}
+
 const DeviceProfile& default_profile() {
     return profiles.front();
 }
@@ -178,6 +199,7 @@ Result<DeviceProfile> find_profile(std::string_view name) {
 }
 
 Result<DeviceProfile> find_device_profile(std::string_view name) {
+    if (name == open_arms.name) return open_arms;
     const auto* const found = std::ranges::find(cartesians, name, &DeviceProfile::name);
     return found != cartesians.end() ? *found : find_profile(name);
 }

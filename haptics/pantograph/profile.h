@@ -100,12 +100,16 @@ struct DeviceProfile {
 /// cartesian, a made-up one for the simulation; inverse3, its drawing area level before its foot.
 [[nodiscard]] std::span<const DeviceProfile> cartesian_profiles();
 
+/// open-five-bar: arms of the size of the mk2's, which one builds, on motors with controllers of
+/// their own. No board drives it, so it is no kind that a person chooses for a board.
+[[nodiscard]] const DeviceProfile& open_five_bar();
+
 [[nodiscard]] const DeviceProfile& default_profile();
 
 /// Of the five-bars; the error lists their names.
 [[nodiscard]] Result<DeviceProfile> find_profile(std::string_view name);
 
-/// Of both kinds; the error is that of find_profile().
+/// Of all there are; the error is that of find_profile().
 [[nodiscard]] Result<DeviceProfile> find_device_profile(std::string_view name);
 
 /// Returns the named profile, or the default one if the name is not known; for uses where any

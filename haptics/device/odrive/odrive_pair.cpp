@@ -82,7 +82,7 @@ void OdrivePair::take(std::string_view line) {
     const OdriveAnswer answer = odrive_answer(line);
     const bool is_refusal = answer.kind == OdriveAnswer::Kind::refused;
     if (is_refusal && stage_ == Stage::read_back)
-        return refuse(MotorTrouble::Kind::too_old, asked_axis());
+        return doubt(MotorTrouble::Kind::too_old, asked_axis());
     if (open_count_ == 0 || answer.kind == OdriveAnswer::Kind::wrong) return go_astray();
     Burst& burst = open_[first_open_];
     Question& question = burst.questions[burst.answered];
@@ -118,6 +118,7 @@ void OdrivePair::complete(const Burst& burst) {
     judge_axes(burst);
     if (stage_ == Stage::close_loop && are_all(Asked::state, closed_loop) &&
         are_all(Asked::error, 0.0)) {
+        doubts_ = 0;
         state_ = PairState::ready;
         go(Stage::ready);
     }
@@ -131,11 +132,11 @@ void OdrivePair::read_back(const Burst& burst) {
         const Question& q = burst.questions[i];
         const auto is = [&](double value) { return std::abs(q.answer - value) < same; };
         if (q.asked == Asked::watchdog_time && !is(watchdog_s))
-            return refuse(MotorTrouble::Kind::watchdog_not_set, q.axis);
+            return doubt(MotorTrouble::Kind::watchdog_not_set, q.axis);
         if (q.asked == Asked::watchdog_on && !is(1.0))
-            return refuse(MotorTrouble::Kind::watchdog_not_set, q.axis);
+            return doubt(MotorTrouble::Kind::watchdog_not_set, q.axis);
         if (q.asked == Asked::most_torque && !(q.answer <= most_Nm_ + same))
-            return refuse(MotorTrouble::Kind::too_old, q.axis);
+            return doubt(MotorTrouble::Kind::too_old, q.axis);
         if (q.asked == Asked::encoder_ready && !is(1.0))
             return refuse(MotorTrouble::Kind::no_encoder, q.axis);
         if (q.asked == Asked::motor_calibrated && !is(1.0))
@@ -158,7 +159,15 @@ void OdrivePair::judge_axes(const Burst& burst) {
     }
 }
 
+// A line that was lost or garbled reads back like a controller that cannot; twice is no accident.
+void OdrivePair::doubt(MotorTrouble::Kind kind, std::size_t axis, double code) {
+    if (doubts_++ > 0) return refuse(kind, axis, code);
+    state_ = PairState::astray;
+    go(Stage::let_go);
+}
+
 void OdrivePair::refuse(MotorTrouble::Kind kind, std::size_t axis, double code) {
+    doubts_ = 0;
     state_ = PairState::refused;
     trouble_ = {kind, static_cast<int>(axis) + 1,
                 static_cast<std::uint32_t>(std::clamp(code, 0.0, 1e9))};

@@ -84,6 +84,7 @@ class OdrivePair final : public MotorPair {
     void read_back(const Burst& burst);
     void judge_axes(const Burst& burst);
     void refuse(MotorTrouble::Kind kind, std::size_t axis, double code = 0.0);
+    void doubt(MotorTrouble::Kind kind, std::size_t axis, double code = 0.0);
     void put_stage(OdriveText& text, Burst& burst, ShaftTorques torques);
     void put_questions(OdriveText& text, Burst& burst, bool is_zero);
     void put_release(OdriveText& text) const;
@@ -110,6 +111,7 @@ class OdrivePair final : public MotorPair {
     std::uint64_t zero_since_ = 1;  // first burst after which none had torque
     std::uint64_t held_zero_ = 0;   // newest burst after which both told that they had none
     std::uint64_t wrong_ = 0;
+    int doubts_ = 0;  // since the pair was ready
     bool are_absolute_ = false;
     std::optional<ShaftTurns> turns_;  // of this step
 };

@@ -1,5 +1,7 @@
 #include "tests/haptics/device/conformance/rigs.h"
 
+#include "haptics/device/drives/motor_pair.h"
+
 #include <array>
 
 namespace touchline {
@@ -31,6 +33,15 @@ RigPromises of_the_simulated_pantograph() {
     return promises;
 }
 
+/// Their watchdogs let the motors go by themselves.
+RigPromises of_controllers() {
+    RigPromises promises;
+    promises.loss_s = 0.0;
+    promises.place_m = 1e-4;
+    promises.free_s = watchdog_s + 1e-3;
+    return promises;
+}
+
 RigPromises of_the_simulated_cartesian() {
     RigPromises promises = of_the_simulated_pantograph();
     promises.place_m = 5e-5;
@@ -41,6 +52,8 @@ const std::array rows{
     RigRow{"UsbBoard", board_rig, of_the_board()},
     RigRow{"Inverse3", inverse3_rig, of_the_inverse3()},
     RigRow{"SimulatedPantograph", simulated_pantograph_rig, of_the_simulated_pantograph()},
+    RigRow{"Moteus", moteus_rig, of_controllers()},
+    RigRow{"Odrive", odrive_rig, of_controllers()},
     RigRow{"SimulatedCartesian", simulated_cartesian_rig, of_the_simulated_cartesian()},
 };
 

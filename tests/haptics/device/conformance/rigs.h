@@ -10,6 +10,8 @@ namespace touchline {
 [[nodiscard]] std::unique_ptr<DeviceRig> board_rig();
 [[nodiscard]] std::unique_ptr<DeviceRig> inverse3_rig();
 [[nodiscard]] std::unique_ptr<DeviceRig> simulated_pantograph_rig();
+[[nodiscard]] std::unique_ptr<DeviceRig> moteus_rig();
+[[nodiscard]] std::unique_ptr<DeviceRig> odrive_rig();
 [[nodiscard]] std::unique_ptr<DeviceRig> simulated_cartesian_rig();
 
 }  // namespace touchline

@@ -52,6 +52,8 @@ class MoteusMachine {
 
     DrivePlant& plant() { return bus.plant(); }
 
+    [[nodiscard]] const DrivePlant& plant() const { return bus.plant(); }
+
     void switch_power(bool has_power) { bus.switch_power(has_power); }
 
     /// Something in the controller of motor 0 or 1 breaks.
@@ -83,6 +85,8 @@ class OdriveMachine {
     SerialPeer& peer() { return board; }
 
     DrivePlant& plant() { return board.plant(); }
+
+    [[nodiscard]] const DrivePlant& plant() const { return board.plant(); }
 
     void switch_power(bool has_power) { board.switch_power(has_power); }
 
@@ -161,6 +165,8 @@ class DriveRig {
     }
 
     [[nodiscard]] DrivePlant& plant() { return machine.plant(); }
+
+    [[nodiscard]] const DrivePlant& plant() const { return machine.plant(); }
 
     static constexpr double never = 1e9;
 

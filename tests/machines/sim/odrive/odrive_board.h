@@ -45,6 +45,8 @@ class OdriveBoard final : public SerialPeer {
 
     [[nodiscard]] DrivePlant& plant() { return plant_; }
 
+    [[nodiscard]] const DrivePlant& plant() const { return plant_; }
+
     [[nodiscard]] int state(std::size_t axis) const { return axes_[axis].state; }
 
   private:
