@@ -2,6 +2,7 @@
 
 #include "app/cli/commands.h"
 #include "app/documents/packs/pack.h"
+#include "app/force/backends/kiosk_backends.h"
 #include "config/types/hand_state.h"
 #include "config/types/pinned.h"
 #include "config/types/utf8.h"
@@ -156,6 +157,8 @@ class CommandLine {
         add_settings();
         add_pack();
         add_models();
+        add_bundle();
+        add_counters();
     }
 
     int run(const std::vector<std::string>& arguments, const Programs& programs, std::ostream& out,
@@ -325,17 +328,19 @@ class CommandLine {
     }
 
     void add_device() {
-        device_command_ = app_.add_subcommand("device", "The pantograph's board and its motors");
+        device_command_ = app_.add_subcommand("device", "The pantograph and its motors");
         device_command_->require_subcommand(1);
         const auto add = [this](const char* name, DeviceAction action, const char* what) {
             auto* command = add_action(*device_command_, device_.action, name, action, what);
+            command->add_option("--make", device_.make, "Its make, as the setting device.make");
+            command->add_option("--port", device_.port, "Its port, as the setting device.port");
             if (action == DeviceAction::list) return;
             command->add_option("--serial", device_.serial, "Of the unit, where there are several");
             command->add_option("--profile", device_.profile,
                                 "Its kind; a different kind discards what is stored for the unit");
         };
-        add("list", DeviceAction::list, "Boards that are plugged in");
-        add("probe", DeviceAction::probe, "Whether a board answers, and how fast");
+        add("list", DeviceAction::list, "Devices that are there");
+        add("probe", DeviceAction::probe, "Whether a device answers, and how fast");
         add("home", DeviceAction::home, "Find where the handle is, step by step");
         add("nudge", DeviceAction::nudge, "Whether the motors have power");
         add("stop", DeviceAction::stop, "Turn the motors off");
@@ -399,6 +404,43 @@ class CommandLine {
         got->add_flag("--yes", models_.is_agreed, "You agree to its licence: nothing is asked");
     }
 
+    void add_bundle() {
+        bundle_command_ = app_.add_subcommand(
+            "bundle", "What several kiosks of one house have alike, signed by the house");
+        bundle_command_->require_subcommand(1);
+        const auto add = [this](const char* name, BundleAction action, const char* what) {
+            return add_action(*bundle_command_, bundle_.action, name, action, what);
+        };
+        auto* key = add("key", BundleAction::key,
+                        "Make the key of this house, or take that of another kiosk");
+        auto* taken = key->add_option("file", bundle_.input, "The key of another kiosk");
+        key->add_option("-o", bundle_.output, "HOUSE.touchline-key, for the other kiosks")
+            ->excludes(taken);
+        key->add_option("--fingerprint", bundle_.fingerprint,
+                        "The digits that the other kiosk told")
+            ->needs(taken);
+        add("make", BundleAction::make,
+            "A bundle of this kiosk's settings, profiles, packs, networks")
+            ->add_option("-o", bundle_.output, "NAME.touchline-bundle")
+            ->required();
+        add("check", BundleAction::check, "What a bundle would change here")
+            ->add_option("file", bundle_.input, "NAME.touchline-bundle")
+            ->required();
+        add("apply", BundleAction::apply, "Change it, all or nothing")
+            ->add_option("file", bundle_.input, "NAME.touchline-bundle")
+            ->required();
+        add("undo", BundleAction::undo, "Back to before the last bundle");
+    }
+
+    void add_counters() {
+        counters_command_ =
+            app_.add_subcommand("counters", "The days of several kiosks as one table");
+        counters_command_
+            ->add_option("files", counters_.inputs, "Tables of kiosks, each named after its kiosk")
+            ->required();
+        counters_command_->add_option("-o", counters_.output, "ALL.csv")->required();
+    }
+
     int start(const Programs& programs, std::ostream& out, std::ostream& err) {
         if (trace_command_->parsed()) {
             return finish(run_trace(trace_).map([&err](const std::string& warning) {
@@ -422,6 +464,8 @@ class CommandLine {
         if (settings_command_->parsed()) return start_settings(out, err);
         if (pack_command_->parsed()) return start_pack(programs, out, err);
         if (models_command_->parsed()) return finish(run_models(models_, std::cin, out), err);
+        if (bundle_command_->parsed()) return finish(run_bundle(bundle_, out), err);
+        if (counters_command_->parsed()) return finish(run_counters(counters_), err);
         return programs.kiosk(kiosk_);
     }
 
@@ -474,7 +518,7 @@ class CommandLine {
             tell(err, find_profile(device_.profile).error().line);
             return wrong_usage;
         }
-        return finish(run_device(device_, out), err);
+        return finish(command_device(device_, out), err);
     }
 
     static int finish(const Result<void>& result, std::ostream& err) {
@@ -498,6 +542,8 @@ class CommandLine {
     CLI::App* settings_command_ = nullptr;
     CLI::App* pack_command_ = nullptr;
     CLI::App* models_command_ = nullptr;
+    CLI::App* bundle_command_ = nullptr;
+    CLI::App* counters_command_ = nullptr;
     KioskArguments kiosk_;
     TourArguments tour_;
     TraceCommandOptions trace_;
@@ -508,6 +554,8 @@ class CommandLine {
     SettingsCommandOptions settings_;
     PackCommandOptions pack_;
     ModelsCommandOptions models_;
+    BundleCommandOptions bundle_;
+    CountersCommandOptions counters_;
     ReplayOptions replay_;
     std::string area_;
     std::string view_;

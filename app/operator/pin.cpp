@@ -1,7 +1,7 @@
 #include "app/operator/pin.h"
 
 #include "app/documents/decode/one_line.h"
-#include "app/isolation/process/descriptor.h"
+#include "app/operator/private_files.h"
 #include "app/operator/settings_files.h"
 #include "config/types/pinned.h"
 #include "config/types/utf8.h"
@@ -14,9 +14,6 @@
 #include <string_view>
 
 #include <crypt.h>
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace touchline {
 namespace {
@@ -27,82 +24,6 @@ constexpr int free_tries = 5;
 constexpr double first_lock_s = 60.0;
 constexpr double longest_lock_s = 3600.0;
 constexpr int digits = 10;
-
-// The files.
-
-tl::unexpected<Error> file_failure(const fs::path& file, const std::string& what) {
-    return failure(one_line(file.string()) + ": " + what);
-}
-
-Descriptor open_file(const fs::path& file, int flags) {
-    return Descriptor(::open(file.c_str(), flags | O_CLOEXEC | O_NOFOLLOW, S_IRUSR | S_IWUSR));
-}
-
-bool write_text(const Descriptor& open, const std::string& text) {
-    return ::write(open.number(), text.data(), text.size()) == static_cast<ssize_t>(text.size()) &&
-           ::fsync(open.number()) == 0;
-}
-
-/// Without it, a name may come back or be gone after the plug was pulled.
-bool flush_folder_of(const fs::path& file) {
-    const Descriptor folder(::open(file.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    return folder.is_open() && ::fsync(folder.number()) == 0;
-}
-
-/// Writes with mode 0600, whole or not at all. The file is on the disk when the call returns, so
-/// pulling the plug undoes nothing.
-Result<void> write_private(const fs::path& file, const std::string& text) {
-    std::error_code error;
-    fs::create_directories(file.parent_path(), error);
-    const fs::path part = fs::path(file).concat(".part");
-    fs::remove(part, error);
-    {
-        const Descriptor open = open_file(part, O_WRONLY | O_CREAT | O_EXCL);
-        if (!open.is_open() || !write_text(open, text)) {
-            fs::remove(part, error);
-            return file_failure(file, "cannot be kept; its folder takes no files or is full");
-        }
-    }
-    fs::rename(part, file, error);
-    if (error) return file_failure(file, "cannot be kept: " + error.message());
-    if (!flush_folder_of(file)) return file_failure(file, "cannot be kept; its folder is broken");
-    return {};
-}
-
-/// Reads at most `limit` bytes. Fails if it is missing, no file, or open to others.
-Result<std::string> read_private(const fs::path& file, std::size_t limit) {
-    const Descriptor open = open_file(file, O_RDONLY);
-
-    struct stat state {};
-
-    if (!open.is_open() || ::fstat(open.number(), &state) != 0)
-        return file_failure(file, "cannot be read; its owner must be the kiosk's user");
-    constexpr mode_t others = S_IRWXG | S_IRWXO;
-    if (!S_ISREG(state.st_mode) || (state.st_mode & others) != 0)
-        return file_failure(file, "others could read it; set its mode to 600");
-    std::string text(limit, '\0');
-    const ssize_t count = ::read(open.number(), text.data(), text.size());
-    text.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
-    return text;
-}
-
-/// True if anything is there. Counts what cannot be examined, and a link to nothing.
-bool is_private_there(const fs::path& file) {
-    std::error_code error;
-    const bool is_there = fs::exists(fs::symlink_status(file, error));
-    return is_there || (error && error != std::errc::no_such_file_or_directory);
-}
-
-/// Removes the file for good before the call returns. Succeeds if it does not exist.
-Result<void> remove_private(const fs::path& file) {
-    std::error_code error;
-    if (!fs::remove(file, error) && !error) return {};
-    if (error) return file_failure(file, "cannot be removed: " + error.message());
-    if (!flush_folder_of(file)) return file_failure(file, "cannot be removed for good");
-    return {};
-}
-
-// What is in them.
 
 constexpr std::string_view begin_words = "wrong PINs: ";
 constexpr std::size_t longest_text = 64;

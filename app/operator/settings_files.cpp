@@ -96,13 +96,21 @@ KeptSettings read_settings(const SettingsFiles& files) {
     return {*settings, ""};
 }
 
-Result<void> keep_settings(const SettingsFiles& files, const Settings& settings) {
+std::string site_text(const Settings& settings) {
     const std::string text = settings_text(settings, Settings{});
-    return keep_text(files.site, text.empty() ? nothing_set : text);
+    return text.empty() ? nothing_set : text;
+}
+
+Result<void> keep_settings(const SettingsFiles& files, const Settings& settings) {
+    return keep_text(files.site, site_text(settings));
 }
 
 fs::path profiles_folder() {
     return installed_place(TOUCHLINE_PROFILES_BESIDE_PROGRAM, TOUCHLINE_PROFILES_SOURCE);
+}
+
+fs::path site_profiles_folder() {
+    return settings_files().site.parent_path() / "profiles";
 }
 
 std::vector<Profile> read_profiles(const fs::path& folder, std::vector<std::string>& problems) {
@@ -114,6 +122,17 @@ std::vector<Profile> read_profiles(const fs::path& folder, std::vector<std::stri
         else
             problems.push_back(profile.error().line);
     }
+    return profiles;
+}
+
+std::vector<Profile> read_profiles(const fs::path& installed, const fs::path& site,
+                                   std::vector<std::string>& problems) {
+    std::vector<Profile> profiles =
+        is_there(site) ? read_profiles(site, problems) : std::vector<Profile>();
+    for (Profile& profile : read_profiles(installed, problems))
+        if (std::ranges::find(profiles, profile.name, &Profile::name) == profiles.end())
+            profiles.push_back(std::move(profile));
+    std::ranges::sort(profiles, {}, &Profile::name);
     return profiles;
 }
 

@@ -35,7 +35,10 @@ struct KeptSettings {
 /// the note says so. A good file becomes the last good copy.
 [[nodiscard]] KeptSettings read_settings(const SettingsFiles& files);
 
-/// Writes the settings that differ from the program's own as the site's file.
+/// The text of the site's file with these settings: those that differ from the program's own.
+[[nodiscard]] std::string site_text(const Settings& settings);
+
+/// Writes it.
 [[nodiscard]] Result<void> keep_settings(const SettingsFiles& files, const Settings& settings);
 
 /// Settings for a kind of visitor. The program's own settings come first, then the site's, then
@@ -49,9 +52,18 @@ struct Profile {
 /// The folder of the installed profiles.
 [[nodiscard]] std::filesystem::path profiles_folder();
 
+/// The folder of the site's own profiles, beside its settings; it may be missing.
+[[nodiscard]] std::filesystem::path site_profiles_folder();
+
 /// The NAME.toml files of a folder, sorted by name; at most 32. Leaves out one that cannot be used,
 /// and adds a line to `problems`.
 [[nodiscard]] std::vector<Profile> read_profiles(const std::filesystem::path& folder,
+                                                 std::vector<std::string>& problems);
+
+/// The installed profiles and the site's own, sorted by name; of two of one name the site's. A
+/// folder of the site that is missing holds none.
+[[nodiscard]] std::vector<Profile> read_profiles(const std::filesystem::path& installed,
+                                                 const std::filesystem::path& site,
                                                  std::vector<std::string>& problems);
 
 /// The site's settings with those of the profile that they name. Refuses, in one sentence, a

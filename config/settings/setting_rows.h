@@ -22,7 +22,7 @@ using SettingField =
     std::variant<bool Settings::*, int Settings::*, double Settings::*, std::string Settings::*,
                  Mode Settings::*, CueAmount Settings::*, SwitchUse Settings::*,
                  BrailleUse Settings::*, TextSize Settings::*, PaletteName Settings::*,
-                 SheetKind Settings::*>;
+                 SheetKind Settings::*, DeviceMake Settings::*>;
 
 /// Hard bounds: no file and no screen may exceed them. NaN is in no range.
 struct SettingRange {
@@ -42,8 +42,13 @@ enum class TextKind : std::uint8_t {
     language,
     notice,
     name,
-    queue
+    queue,
+    port
 };
+
+/// house: several kiosks of one house have it alike, and a bundle brings it (app/house). kiosk: it
+/// belongs to one kiosk, its place or what is plugged in there.
+enum class SettingOwner : std::uint8_t { house, kiosk };
 
 struct SettingRow {
     std::string_view table;  // in TOML
@@ -56,6 +61,7 @@ struct SettingRow {
     std::string_view help;                            // one sentence
     SettingLayer last_layer = SettingLayer::session;  // last layer that may set it
     TextKind text = TextKind::path;                   // for a std::string
+    SettingOwner owner = SettingOwner::house;
 };
 
 /// Returns the rows in the order of the file and of the screens; the rows of a table are
@@ -77,6 +83,9 @@ using SettingValue = std::variant<bool, double, std::string>;
 /// that is not allowed.
 [[nodiscard]] std::optional<Settings> with_value(Settings settings, const SettingRow& row,
                                                  const SettingValue& value);
+
+/// Returns `kiosk` with every row that belongs to the house as it is in `house`.
+[[nodiscard]] Settings with_settings_of_house(Settings kiosk, const Settings& house);
 
 /// Describes in one sentence what a later layer changed without being allowed to; empty if nothing.
 /// A profile or a visit may lower the ceiling of the force, never raise it.

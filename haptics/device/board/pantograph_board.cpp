@@ -1,6 +1,7 @@
 #include "haptics/device/board/pantograph_board.h"
 
 #include "config/types/angle.h"
+#include "haptics/device/hand_reach.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,11 +14,8 @@ constexpr double oldest_angles_s = 0.0045;  // four ticks without a reply
 constexpr double lost_reply_s = 0.02;
 constexpr double longest_send_s = 0.0015;  // seen at the second tick; a good one takes 0.2 ms
 constexpr int most_untaken_in_a_row = 3;
-constexpr double tip_speed_m_per_s = 1.5;        // faster than any hand at the handle
-constexpr double joint_speed_per_s = 60.0;       // where a turn moves the tip little
 constexpr double handle_speed_rad_per_s = 40.0;  // faster than fingers twirl a knob
 constexpr double handle_step_rad = 0.01;         // more than two counts of any handle
-constexpr double sampling_s = 0.001;  // how much later than asked a board may have looked
 constexpr int jumps_that_count = 3;
 constexpr int most_packets_a_tick = 16;
 constexpr double pause_s = 0.001;
@@ -36,7 +34,7 @@ PortAngles followed(PortAngles before, PortAngles said, PortAngles quantum) {
 
 PantographBoard::PantographBoard(std::unique_ptr<BoardLink> link, const DeviceProfile& profile,
                                  const Calibration& calibration)
-    : link_(std::move(link)), frame_(profile, calibration) {}
+    : JointDevice(profile.geometry), link_(std::move(link)), frame_(profile, calibration) {}
 
 PantographBoard::~PantographBoard() {
     if (report_.state != BoardState::closed) stop();
@@ -285,21 +283,14 @@ void PantographBoard::judge_position(const Said& raw) {
 
 bool PantographBoard::is_jump(const Said& raw) const {
     if (!raw_) return false;
-    const double age_s = (jumps_in_a_row_ == 0 ? raw_age_s_ : jump_age_s_) + sampling_s;
-    const JointAngles quantum = encoder_quantum(frame_.calibrated_profile());
+    const double age_s = jumps_in_a_row_ == 0 ? raw_age_s_ : jump_age_s_;
     if (frame_.has_handle()) {
         const double turned_rad = radians(std::abs(raw.handle_deg - raw_->handle_deg));
-        if (!(turned_rad <= handle_speed_rad_per_s * age_s + handle_step_rad)) return true;
+        const double span_s = age_s + sampling_s;
+        if (!(turned_rad <= handle_speed_rad_per_s * span_s + handle_step_rad)) return true;
     }
-    const JointAngles then = frame_.joint_angles(raw_->joints);
-    const JointAngles now = frame_.joint_angles(raw.joints);
-    const double turned = std::max(std::abs(now.x - then.x), std::abs(now.y - then.y));
-    if (!(turned <= joint_speed_per_s * age_s + 2.0 * std::max(quantum.x, quantum.y))) return true;
-    const auto from = forward(frame_.profile().geometry, then);
-    const auto to = forward(frame_.profile().geometry, now);
-    if (!from || !to) return false;
-    const double count_m = singular_values(from->jacobian, quantum).largest;
-    return !(norm(to->p_DH - from->p_DH) <= tip_speed_m_per_s * age_s + 2.0 * count_m);
+    return !can_a_hand_move(frame_.calibrated_profile(), frame_.joint_angles(raw_->joints),
+                            frame_.joint_angles(raw.joints), age_s);
 }
 
 void PantographBoard::start_resync(Rung first) {

@@ -34,11 +34,12 @@ std::string settings_as_markdown() {
     constexpr std::array<std::string_view, 4> layers{"program", "site", "profile", "session"};
     const Settings defaults;
     std::string text =
-        "| setting | allowed | at first | up to | what it does |\n|---|---|---|---|---|\n";
+        "| setting | allowed | at first | up to | of | what it does |\n|---|---|---|---|---|---|\n";
     for (const SettingRow& row : setting_rows()) {
         text += "| `" + std::string(row.table) + '.' + std::string(row.key) + "` | " +
                 allowed_values(row) + " | " + value_in_words(defaults, row) + " | " +
                 std::string(layers[static_cast<std::size_t>(row.last_layer)]) + " | " +
+                (row.owner == SettingOwner::house ? "house" : "kiosk") + " | " +
                 std::string(row.name) + ": " + std::string(row.help) + " |\n";
     }
     return text;
@@ -122,6 +123,9 @@ TEST(SettingRows, TextsAreOfTheirKind) {
     expect_texts("profile", "use", {"", "child", "class-3"}, {"../child", "Child", "a b"});
     expect_texts("print", "printer", {"", "swell-paper_2", "Drucker"},
                  {"a b", "a/b", "a#b", "a\nb", std::string(128, 'a')});
+    expect_texts("device", "port", {"", "/dev/ttyACM0", "/dev/serial/by-id/usb-1", "can0"},
+                 {"/dev/", "/etc/passwd", "/dev/../etc/passwd", "a b", "a/b", "a:b", "a\nb",
+                  std::string(16, 'a')});
     expect_texts("care", "notice", {"", "Zurück um zwei."}, {"a\nb", std::string(201, 'a')});
 }
 
@@ -261,6 +265,15 @@ Settings any_settings() {
                   [](char letter) { return letter < ' ' || letter == 0x7f; });
     if (!conflicts(settings).empty()) settings.finest_level = settings.coarsest_level;
     return settings;
+}
+
+RC_GTEST_PROP(SettingRows, OfTheHouseAreTakenAndOfTheKioskAreKept, ()) {
+    const Settings kiosk = any_settings();
+    const Settings house = any_settings();
+    const Settings both = with_settings_of_house(kiosk, house);
+    for (const SettingRow& row : setting_rows())
+        RC_ASSERT(value_of(both, row) ==
+                  value_of(row.owner == SettingOwner::house ? house : kiosk, row));
 }
 
 RC_GTEST_PROP(SettingsText, IsReadBackToTheSameBits, ()) {

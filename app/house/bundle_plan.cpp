@@ -1,0 +1,260 @@
+#include "app/house/bundle_plan.h"
+
+#include "app/documents/decode/files.h"
+#include "app/documents/decode/one_line.h"
+#include "app/house/house_keys.h"
+#include "audio-cues/words/language.h"
+#include "config/settings/setting_rows.h"
+#include "config/settings/settings_text.h"
+
+#include <algorithm>
+#include <exception>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace touchline {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The name under which a fault of a bundle's own file is told.
+std::string name_in_bundle(const BundleFile& file) {
+    return "bundle, " + file.name;
+}
+
+tl::unexpected<BundleError> bad(const std::string& line) {
+    return bundle_failure(BundleFault::bad_contents, line);
+}
+
+tl::unexpected<BundleError> broken_disk(const Error& error) {
+    return bundle_failure(BundleFault::disk, error.line);
+}
+
+std::optional<std::size_t> row_of_kiosk_in(std::string_view text) {
+    for (const std::size_t row : rows_in(text))
+        if (setting_rows()[row].owner == SettingOwner::kiosk) return row;
+    return std::nullopt;
+}
+
+/// Judges what is in a bundle against this kiosk, one file after the other.
+struct Planner {
+    const HousePlaces& places;
+    std::span<const std::string> languages;
+    BundlePlan plan{};
+    std::vector<Profile> brought{};
+
+    BundleResult<void> add(const BundleFile& file) {
+        switch (file.part) {
+            case BundlePart::settings:
+                return add_settings(file);
+            case BundlePart::profile:
+                return add_profile(file);
+            case BundlePart::pack:
+                return add_pack(file);
+            case BundlePart::network:
+                return add_network(file);
+        }
+        return {};
+    }
+
+    BundleResult<void> add_settings(const BundleFile& file) {
+        const std::string name = name_in_bundle(file);
+        const std::string_view text = as_text(file.bytes);
+        if (file.name != "kiosk") return bad(name + ": is no file of settings of a kiosk");
+        const auto faults = settings_faults(text, name, SettingLayer::site, languages);
+        if (!faults.empty()) return bad(faults.front());
+        if (const auto row = row_of_kiosk_in(text))
+            return bad(fmt::format("{}: '{}.{}' belongs to each kiosk itself", name,
+                                   setting_rows()[*row].table, setting_rows()[*row].key));
+        const auto house = apply_settings(Settings{}, text, name, SettingLayer::site);
+        if (!house) return bad(house.error().line);
+        plan.after = with_settings_of_house(plan.before, *house);
+        return {};
+    }
+
+    BundleResult<void> add_profile(const BundleFile& file) {
+        const std::string name = name_in_bundle(file);
+        const std::string text(as_text(file.bytes));
+        if (!is_allowed(TextKind::name, file.name))
+            return bad(
+                fmt::format("{}: a profile is named by {}", name, allowed_texts(TextKind::name)));
+        const auto judged = apply_settings(Settings{}, text, name, SettingLayer::profile);
+        if (!judged) return bad(judged.error().line);
+        brought.push_back({file.name, text, {}});
+        const fs::path here = places.profiles / (file.name + ".toml");
+        std::error_code error;
+        const bool is_new = !fs::exists(here, error);
+        if (is_new || read_text(here.string()).value_or("") != text)
+            plan.profiles.push_back({file.name, text, is_new});
+        return {};
+    }
+
+    BundleResult<void> add_pack(const BundleFile& file) {
+        auto pack = read_pack(file.bytes);
+        if (!pack) return bad(told(file, pack.error()));
+        if (pack->info.id != file.name) return bad(name_in_bundle(file) + ": is another pack");
+        const fs::path folder = places.library / file.name;
+        std::error_code error;
+        std::optional<PackVersion> here;
+        if (fs::exists(folder, error)) {
+            const auto installed = read_pack(folder.string());
+            if (installed && installed->files == pack->files) return {};
+            if (installed) here = installed->info.version;
+        }
+        if (here && pack->info.version < *here)
+            return bundle_failure(
+                BundleFault::older_pack,
+                fmt::format("the pack {} is version {} in the bundle, and {} on this kiosk; make "
+                            "a new bundle with the newer one",
+                            file.name, text_of(pack->info.version), text_of(*here)));
+        const auto findings = check_pack(*pack);
+        if (!can_be_used(findings)) return bad(told(file, findings.front()));
+        plan.packs.push_back({std::move(*pack), here});
+        return {};
+    }
+
+    static std::string told(const BundleFile& file, const PackFinding& finding) {
+        return name_in_bundle(file) + ": " + sentence_of(finding, Language());
+    }
+
+    BundleResult<void> add_network(const BundleFile& file) {
+        const Network* const network = network_of(file.bytes);
+        if (network == nullptr || network->name != file.name)
+            return bad(name_in_bundle(file) +
+                       ": is damaged, or a network of another version of Touchline");
+        if (!read_network(*network, places.networks / network->file))
+            plan.networks.push_back({network, {file.bytes.begin(), file.bytes.end()}});
+        return {};
+    }
+
+    /// The profile in use must be there, and may not raise what the site bounds.
+    BundleResult<void> judge_whole() {
+        std::vector<std::string> problems;
+        std::vector<Profile> profiles = brought;
+        for (Profile& profile : read_profiles(places.installed_profiles, places.profiles, problems))
+            profiles.push_back(std::move(profile));
+        const auto used = with_profile(plan.after, profiles);
+        return used ? BundleResult<void>{} : bad(used.error().line);
+    }
+};
+
+BundleResult<BundlePlan> plan_of(const Bundle& bundle, const HousePlaces& places,
+                                 std::span<const std::string> languages) {
+    Planner planner{places, languages};
+    planner.plan.made_s = bundle.made_s;
+    planner.plan.before = read_settings(places.settings).settings;
+    planner.plan.after = planner.plan.before;
+    for (const BundleFile& file : bundle.files)
+        if (auto added = planner.add(file); !added) return tl::unexpected(added.error());
+    if (auto judged = planner.judge_whole(); !judged) return tl::unexpected(judged.error());
+    return std::move(planner.plan);
+}
+
+/// What an older program cannot know is no fault of the bundle.
+BundleError as_of_newer_program(BundleError error, const Bundle& bundle) {
+    const auto theirs = version_of(bundle.program);
+    const auto ours = version_of(TOUCHLINE_VERSION);
+    if (error.fault != BundleFault::bad_contents || !theirs || !ours || *theirs <= *ours)
+        return error;
+    return {BundleFault::newer_program,
+            fmt::format("{}; the bundle is of Touchline {}, update the program of this kiosk "
+                        "first",
+                        error.line, text_of(*theirs))};
+}
+
+bool is_empty(const BundlePlan& plan) {
+    return plan.after == plan.before && plan.profiles.empty() && plan.packs.empty() &&
+           plan.networks.empty();
+}
+
+std::string site_file_name(const HousePlaces& places) {
+    return places.settings.site.filename().string();
+}
+
+}  // namespace
+
+BundleResult<BundlePlan> plan_of_bundle(std::span<const std::byte> bytes, const std::string& name,
+                                        const HousePlaces& places,
+                                        std::span<const std::string> languages) {
+    try {
+        const auto key = read_house_key(places);
+        if (!key) return tl::unexpected(key.error());
+        const auto bundle = bundle_in(bytes, *key, name);
+        if (!bundle) return tl::unexpected(bundle.error());
+        if (const auto done = finish_change(places); !done) return broken_disk(done.error());
+        const auto record = read_change_record(places);
+        if (!record) return broken_disk(record.error());
+        if (*record && bundle->made_s < (*record)->made_s)
+            return bundle_failure(BundleFault::older,
+                                  one_line(name) +
+                                      ": is older than the bundle that was applied here; go back "
+                                      "first, or make a new one");
+        auto plan = plan_of(*bundle, places, languages);
+        if (!plan) return tl::unexpected(as_of_newer_program(plan.error(), *bundle));
+        return plan;
+    } catch (const std::exception&) {
+        return bundle_failure(BundleFault::disk,
+                              one_line(name) + ": there is not enough memory for this bundle");
+    }
+}
+
+BundleResult<void> apply_plan(const BundlePlan& plan, const HousePlaces& places) {
+    const auto last = read_change_record(places);
+    if (!last) return broken_disk(last.error());
+    // Applied again it would only take the way back away.
+    if (*last && (*last)->made_s == plan.made_s && is_empty(plan)) return {};
+    const std::string settings = site_text(plan.after);
+    std::vector<NewThing> things;
+    if (plan.after != plan.before)
+        things.push_back({HouseRoot::settings,
+                          site_file_name(places),
+                          {{"", std::as_bytes(std::span(settings))}}});
+    for (const PlannedProfile& profile : plan.profiles)
+        things.push_back({HouseRoot::profiles,
+                          profile.name + ".toml",
+                          {{"", std::as_bytes(std::span(profile.text))}}});
+    for (const PlannedPack& planned : plan.packs) {
+        NewThing folder{HouseRoot::packs, planned.pack.info.id, {}};
+        for (const PackFile& file : planned.pack.files)
+            folder.files.push_back({file.name, file.bytes});
+        things.push_back(std::move(folder));
+    }
+    for (const PlannedNetwork& planned : plan.networks)
+        things.push_back(
+            {HouseRoot::networks, std::string(planned.network->file), {{"", planned.bytes}}});
+    const auto done = change(places, things, plan.made_s);
+    return done ? BundleResult<void>{} : broken_disk(done.error());
+}
+
+BundleResult<WayBack> find_way_back(const HousePlaces& places) {
+    if (const auto done = finish_change(places); !done) return broken_disk(done.error());
+    const auto record = read_change_record(places);
+    if (!record) return broken_disk(record.error());
+    if (!*record || !can_change_back(places, **record))
+        return bundle_failure(BundleFault::nothing_to_undo,
+                              "no bundle was applied here, or what was before is gone");
+    WayBack way{**record, read_settings(places.settings).settings, {}};
+    way.before = way.now;
+    const auto changed =
+        std::ranges::find(way.record.things, HouseRoot::settings, &ChangedThing::root);
+    if (changed == way.record.things.end()) return way;
+    way.before = Settings{};
+    if (const auto file = place_before(places, way.record, *changed)) {
+        const auto text = read_text(file->string());
+        const auto before = text.and_then([&](const std::string& all) {
+            return apply_settings(Settings{}, all, file->string(), SettingLayer::site);
+        });
+        if (!before) return broken_disk(before.error());
+        way.before = *before;
+    }
+    return way;
+}
+
+BundleResult<void> go_back(const WayBack& way, const HousePlaces& places) {
+    const auto done = change_back(places, way.record);
+    return done ? BundleResult<void>{} : broken_disk(done.error());
+}
+
+}  // namespace touchline
