@@ -106,26 +106,6 @@ struct ReplayOptions {
 /// from the recording in any bit.
 [[nodiscard]] Result<std::string> run_replay(const ReplayOptions& options);
 
-// touchline device: lists boards and sets one up. SIGINT and SIGTERM end a command with zero
-// torque.
-
-/// list: shows the boards that are plugged in. probe: tells whether one answers, and how fast.
-/// home: the person leads the handle to its stops and lets go of it. This stores the scale, stops
-/// and plugs of the unit, and measures them anew if a kind is named. nudge: tells whether the
-/// motors have power and push the right way. stop: sets zero torque, whatever drove the board
-/// before.
-enum class DeviceAction : std::uint8_t { list, probe, home, nudge, stop };
-
-struct DeviceCommandOptions {
-    DeviceAction action = DeviceAction::list;
-    std::string serial;   // the unit's; empty: the only one plugged in
-    std::string profile;  // empty: as stored; a different kind discards what is stored for the unit
-};
-
-/// Writes to `out` what was found and what to do. Without a board the error says what was looked
-/// for.
-[[nodiscard]] Result<void> run_device(const DeviceCommandOptions& options, std::ostream& out);
-
 // touchline settings: checks a settings file, and prints the resulting settings.
 
 /// check: one line says that the file can be used, and how many settings it sets. print: all

@@ -2,6 +2,7 @@
 
 #include "app/cli/commands.h"
 #include "app/documents/packs/pack.h"
+#include "app/force/backends/kiosk_backends.h"
 #include "config/types/hand_state.h"
 #include "config/types/pinned.h"
 #include "config/types/utf8.h"
@@ -327,17 +328,19 @@ class CommandLine {
     }
 
     void add_device() {
-        device_command_ = app_.add_subcommand("device", "The pantograph's board and its motors");
+        device_command_ = app_.add_subcommand("device", "The pantograph and its motors");
         device_command_->require_subcommand(1);
         const auto add = [this](const char* name, DeviceAction action, const char* what) {
             auto* command = add_action(*device_command_, device_.action, name, action, what);
+            command->add_option("--make", device_.make, "Its make, as the setting device.make");
+            command->add_option("--port", device_.port, "Its port, as the setting device.port");
             if (action == DeviceAction::list) return;
             command->add_option("--serial", device_.serial, "Of the unit, where there are several");
             command->add_option("--profile", device_.profile,
                                 "Its kind; a different kind discards what is stored for the unit");
         };
-        add("list", DeviceAction::list, "Boards that are plugged in");
-        add("probe", DeviceAction::probe, "Whether a board answers, and how fast");
+        add("list", DeviceAction::list, "Devices that are there");
+        add("probe", DeviceAction::probe, "Whether a device answers, and how fast");
         add("home", DeviceAction::home, "Find where the handle is, step by step");
         add("nudge", DeviceAction::nudge, "Whether the motors have power");
         add("stop", DeviceAction::stop, "Turn the motors off");
@@ -515,7 +518,7 @@ class CommandLine {
             tell(err, find_profile(device_.profile).error().line);
             return wrong_usage;
         }
-        return finish(run_device(device_, out), err);
+        return finish(command_device(device_, out), err);
     }
 
     static int finish(const Result<void>& result, std::ostream& err) {

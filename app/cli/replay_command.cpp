@@ -80,7 +80,7 @@ Result<std::string> run_replay(const ReplayOptions& options) {
     const auto recording = read_recording(options.recording);
     if (!recording) return tl::unexpected(recording.error());
     if (recording->start.empty()) return write_as_recorded(*recording, options.output);
-    const auto profile = find_profile(recording->profile);
+    const auto profile = find_device_profile(recording->profile);
     if (!profile) return tl::unexpected(profile.error());
     const auto replay =
         run_again(*recording, [&](std::uint64_t version) -> Result<std::shared_ptr<const Scene>> {

@@ -104,9 +104,8 @@ TourRun take_tour(const TactileMap& map, const Scene& scene) {
     while (!explorer.is_done()) {
         const double now_s = period_s * static_cast<double>(run.ticks.size());
         const bool is_lifted = explorer.is_lifted();
-        const StepInput input{now_s, 0, device.read_angles(now_s), commands,
-                              is_lifted ? nullptr : &scene};
-        (void)device.write_torques(servo.step(input));
+        const StepInput input{now_s, 0, device.read(now_s), commands, is_lifted ? nullptr : &scene};
+        (void)device.write(servo.step(input));
         const ServoReport& report = servo.report();
         run.ticks.push_back({report.hand, is_lifted});
         explorer.step(felt_by(report, scene), period_s);

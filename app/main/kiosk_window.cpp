@@ -208,7 +208,7 @@ class KioskWindow {
     }
 
     Result<void> open_kiosk() {
-        auto servo = start_servo_(hand_);
+        auto servo = start_servo_(hand_, settings_);
         if (!servo) return tl::unexpected(servo.error());
         report(servo->note);
         sound_.languages = offered(std::move(sound_.languages), settings_.languages);

@@ -5,6 +5,7 @@
 
 #include "app/cli/options.h"
 #include "app/force/servo/servo_client.h"
+#include "config/settings/settings.h"
 #include "config/types/result.h"
 #include "config/types/vec2.h"
 #include "haptics/device/simulated/simulated_pantograph.h"
@@ -25,12 +26,14 @@ struct KioskServo {
     std::string note;         // why it is not the expected servo; may be empty
 };
 
-/// Chooses the kiosk's servo: a process for the pantograph that is plugged in, else a thread for a
-/// simulated one that `hand` leads. Waits for the USB.
-[[nodiscard]] Result<KioskServo> start_servo(const std::shared_ptr<MouseHand>& hand);
+/// Chooses the kiosk's servo: a process for the device that the settings name and that is there,
+/// else a thread for a simulated one that `hand` leads. Waits for the device.
+[[nodiscard]] Result<KioskServo> start_servo(const std::shared_ptr<MouseHand>& hand,
+                                             const Settings& settings);
 
 /// Gives the kiosk its servo. The pointer leads `hand`.
-using ServoStarter = std::function<Result<KioskServo>(const std::shared_ptr<MouseHand>& hand)>;
+using ServoStarter = std::function<Result<KioskServo>(const std::shared_ptr<MouseHand>& hand,
+                                                      const Settings& settings)>;
 
 /// Runs until somebody quits or the program is asked to end (SIGINT, SIGTERM). Without a device the
 /// mouse is the hand of a simulated pantograph. Returns the exit status: 0 if it ended as asked; 1,

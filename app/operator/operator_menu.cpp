@@ -42,7 +42,7 @@ constexpr auto places = std::to_array<PlaceRow>({
     {P::screen, P::senses, "Screen", "", "screen"},
     {P::sticks, P::senses, "USB sticks", "USB sticks with FAT and exFAT are always read.", "stick"},
     {P::printing, P::senses, "Printer", "", "print"},
-    {P::device, P::home, "Handle and tests", "", ""},
+    {P::device, P::home, "Handle and tests", "", "device"},
     {P::homing, P::device, "Find the handle’s starting point",
      "The kiosk says where to move the handle. Force is off meanwhile.", ""},
     {P::kind, P::device, "Kind of handle",

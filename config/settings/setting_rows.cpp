@@ -64,6 +64,15 @@ bool is_queue(std::string_view text) {
     return is_line(text, longest) && text.find_first_of(" /#?'\"\\") == std::string_view::npos;
 }
 
+/// A file of the system's devices, or a network interface as the kernel names them.
+bool is_port(std::string_view text) {
+    constexpr std::string_view folder = "/dev/";
+    constexpr std::size_t longest_name = 15;
+    if (text.find("..") != std::string_view::npos) return false;
+    if (text.starts_with(folder)) return text.size() > folder.size() && is_path(text);
+    return is_line(text, longest_name) && text.find_first_of(" /:") == std::string_view::npos;
+}
+
 bool is_hours(std::string_view text) {
     return hours_in(text).has_value();
 }
@@ -87,7 +96,7 @@ struct TextRule {
 };
 
 /// In the order of TextKind.
-constexpr std::array<TextRule, 9> text_rules{
+constexpr std::array<TextRule, 10> text_rules{
     {{is_path, "a path that begins with /, or \"\" for none"},
      {is_device, "a path that begins with /dev/input/, or \"\" for none"},
      {is_hours, "two times like \"09:00-17:00\""},
@@ -96,8 +105,9 @@ constexpr std::array<TextRule, 9> text_rules{
      {is_code, "the code of a language like \"en\""},
      {is_notice, "a line of at most 200 bytes, or \"\" for none"},
      {is_name, "a name of small letters, digits and \"-\", or \"\" for none"},
-     {is_queue, "the name of a printer in CUPS, or \"\" for none"}}};
-static_assert(static_cast<std::size_t>(TextKind::queue) + 1 == text_rules.size());
+     {is_queue, "the name of a printer in CUPS, or \"\" for none"},
+     {is_port, "a path that begins with /dev/, the name of a CAN interface, or \"\" for none"}}};
+static_assert(static_cast<std::size_t>(TextKind::port) + 1 == text_rules.size());
 
 std::string short_number(double value) {
     std::array<char, 32> text{};

@@ -22,7 +22,7 @@ using SettingField =
     std::variant<bool Settings::*, int Settings::*, double Settings::*, std::string Settings::*,
                  Mode Settings::*, CueAmount Settings::*, SwitchUse Settings::*,
                  BrailleUse Settings::*, TextSize Settings::*, PaletteName Settings::*,
-                 SheetKind Settings::*>;
+                 SheetKind Settings::*, DeviceMake Settings::*>;
 
 /// Hard bounds: no file and no screen may exceed them. NaN is in no range.
 struct SettingRange {
@@ -42,7 +42,8 @@ enum class TextKind : std::uint8_t {
     language,
     notice,
     name,
-    queue
+    queue,
+    port
 };
 
 /// house: several kiosks of one house have it alike, and a bundle brings it (app/house). kiosk: it

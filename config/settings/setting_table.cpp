@@ -165,6 +165,12 @@ constexpr auto all_rows = [] {
                           "Its name in CUPS. If empty, no sheets are printed.", site)),
         of_kiosk(choice_row("print", "sheet", &Settings::sheet, sheets, "Kind of sheet",
                             "Swell paper of size A4 or letter, or braille for an embosser.", site)),
+        of_kiosk(choice_row("device", "make", &Settings::device_make, device_makes,
+                            "Make of the device",
+                            "What drives the handle, from the kiosk’s next start on.", site)),
+        of_kiosk(text_row("device", "port", &Settings::device_port, TextKind::port,
+                          "Port of the device",
+                          "Where it is plugged in. If empty, the only one is used.", site)),
         of_kiosk(text_row("operator", "device", &Settings::operator_device, TextKind::device,
                           "Keyboard of the operator",
                           "Only its keys open these screens. If empty, any keyboard does.", site))};

@@ -72,6 +72,9 @@ struct Settings {
     // print
     std::string printer;  // a queue of CUPS; empty: no sheets to take home
     SheetKind sheet = SheetKind::a4;
+    // device
+    DeviceMake device_make = DeviceMake::usb_board;
+    std::string device_port;  // empty: the only one
     // operator
     std::string operator_device;
 

@@ -1,8 +1,11 @@
 // What a visitor or an operator chooses one of. Threads: values.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace touchline {
 
@@ -33,6 +36,17 @@ enum class BrailleUse : std::uint8_t { off, uncontracted, contracted };
 enum class SheetKind : std::uint8_t { a4, letter, embosser };
 
 inline constexpr int sheet_kind_count = 3;
+
+/// Which make of device the site has (app/force/backends). The first is the default.
+enum class DeviceMake : std::uint8_t { usb_board, moteus, odrive, inverse3 };
+
+/// Their names in files and on the servo's command line, in the order of the enumeration.
+inline constexpr std::array<std::string_view, 4> device_makes{"usb-board", "moteus", "odrive",
+                                                              "inverse3"};
+
+[[nodiscard]] constexpr std::string_view name_of(DeviceMake make) {
+    return device_makes.at(static_cast<std::size_t>(make));
+}
 
 /// The language in which a text is wanted, tagged as BCP 47 and SVG's xml:lang do: "en", "de",
 /// "pt-BR". Any text is a tag: a language without texts gets what exists. Empty means English. The

@@ -125,10 +125,63 @@ constexpr std::array profiles{
                   turning_handle},
 };
 
+// Of its motors it is asked no more than the mk2's give; encoders of 14 bits. Mechanics: the rotors
+// of such motors are heavier.
+constexpr DeviceProfile open_arms{"open-five-bar",
+                                  mk2_links,
+                                  JointAngles{16384.0, 16384.0},
+                                  0.1,
+                                  joints_at(150.0, 30.0),
+                                  Area{0.096, 0.072},
+                                  Position{0.0125, 0.084},
+                                  2.8,
+                                  200.0,
+                                  MechanicsProfile{0.07, 0.1, 0.05, 1e-3},
+                                  mk2_wiring,
+                                  StopPlace::sideways,
+                                  mk2_stretched,
+                                  std::nullopt};
+
+// Not sold by anyone. Mechanics: between those of the five-bars and what a device with three axes
+// and gears may have.
+constexpr DeviceProfile made_up_cartesian() {
+    DeviceProfile profile;
+    profile.name = "cartesian";
+    profile.area = Area{0.116, 0.084};
+    profile.centre = Position{0.0, 0.15};
+    profile.force_limit_N = 3.0;
+    profile.mechanics = MechanicsProfile{0.10, 0.3, 0.10, 1e-3};
+    profile.cartesian = CartesianDevice{2e-5, 1.8};
+    return profile;
+}
+
+// The drawing area lies about the middle of the arm's reach, in which the maker's programs send the
+// handle 0.10 m around; all its corners are nearer. The maker publishes no mechanics: estimates.
+constexpr DeviceProfile inverse3() {
+    DeviceProfile profile;
+    profile.name = "inverse3";
+    profile.area = Area{0.160, 0.100};
+    profile.centre = Position{0.0, 0.12};
+    profile.force_limit_N = 3.0;
+    profile.mechanics = MechanicsProfile{0.15, 0.3, 0.10, 2e-3};
+    profile.cartesian = CartesianDevice{5e-5, 1.5};
+    return profile;
+}
+
+constexpr std::array cartesians{made_up_cartesian(), inverse3()};
+
 }  // namespace
 
 std::span<const DeviceProfile> device_profiles() {
     return profiles;
+}
+
+std::span<const DeviceProfile> cartesian_profiles() {
+    return cartesians;
+}
+
+const DeviceProfile& open_five_bar() {
+    return open_arms;
 }
 
 const DeviceProfile& default_profile() {
@@ -145,6 +198,12 @@ Result<DeviceProfile> find_profile(std::string_view name) {
                    names);
 }
 
+Result<DeviceProfile> find_device_profile(std::string_view name) {
+    if (name == open_arms.name) return open_arms;
+    const auto* const found = std::ranges::find(cartesians, name, &DeviceProfile::name);
+    return found != cartesians.end() ? *found : find_profile(name);
+}
+
 DeviceProfile profile_or_default(std::string_view name) {
     return find_profile(name).value_or(default_profile());
 }
@@ -159,6 +218,7 @@ double encoder_quantum_rad(const TurningHandle& handle) {
 }
 
 double encoder_step_m(const DeviceProfile& profile) {
+    if (profile.cartesian) return profile.cartesian->step_m;
     const auto angles = inverse(profile.geometry, profile.centre);
     const auto pose = forward(profile.geometry, angles.value());
     return singular_values(pose.value().jacobian, encoder_quantum(profile)).largest;

@@ -62,6 +62,13 @@ struct CheckStop {
     StopPlace place = StopPlace::towards;
 };
 
+/// A device that tells places and takes forces, and keeps its arms, encoders and motors to itself.
+struct CartesianDevice {
+    double step_m = 1e-4;       // the smallest motion that it tells, > 0
+    double continuous_N = 1.0;  // the force that it bears forever, > 0
+};
+
+/// Of a Cartesian device links, counts, torque limit, home, wiring and stops mean nothing.
 struct DeviceProfile {
     std::string_view name;
     Geometry geometry;
@@ -78,16 +85,32 @@ struct DeviceProfile {
     CheckStop check;
     std::optional<TurningHandle> handle;  // nothing: the handle does not turn
     double other_counts_per_turn = 0.0;   // some units of this kind have these counts; 0: none do
+    std::optional<CartesianDevice> cartesian = std::nullopt;  // nothing: a five-bar
 };
+
+/// True for a five-bar, whose motors are told torques.
+[[nodiscard]] constexpr bool has_joints(const DeviceProfile& profile) {
+    return !profile.cartesian;
+}
 
 /// 2diy-gen3.1 (the default), the same stopped at 172/8 and 180/0 degrees, 2diy-gen3, 2diy-gen2,
 /// the same stopped at 240/-60, haplet, mk2, gen3.1-turning.
 [[nodiscard]] std::span<const DeviceProfile> device_profiles();
 
+/// cartesian, a made-up one for the simulation; inverse3, its drawing area level before its foot.
+[[nodiscard]] std::span<const DeviceProfile> cartesian_profiles();
+
+/// open-five-bar: arms of the size of the mk2's, which one builds, on motors with controllers of
+/// their own. No board drives it, so it is no kind that a person chooses for a board.
+[[nodiscard]] const DeviceProfile& open_five_bar();
+
 [[nodiscard]] const DeviceProfile& default_profile();
 
-/// The error lists the known names.
+/// Of the five-bars; the error lists their names.
 [[nodiscard]] Result<DeviceProfile> find_profile(std::string_view name);
+
+/// Of all there are; the error is that of find_profile().
+[[nodiscard]] Result<DeviceProfile> find_device_profile(std::string_view name);
 
 /// Returns the named profile, or the default one if the name is not known; for uses where any
 /// profile will do.
@@ -115,8 +138,8 @@ template <class Quantity>
 /// Returns the turn of a handle for one count of its encoder (rad).
 [[nodiscard]] double encoder_quantum_rad(const TurningHandle& handle);
 
-/// Returns the tip's step for one encoder count, in the pose's worst direction, at the centre of
-/// the drawing area: the smallest motion that the device can surely tell.
+/// Returns the smallest motion that the device can surely tell: of a five-bar, the tip's step for
+/// one encoder count, in the pose's worst direction, at the centre of the drawing area.
 [[nodiscard]] double encoder_step_m(const DeviceProfile& profile);
 
 }  // namespace touchline

@@ -139,6 +139,7 @@ ForceLimits limits_of(const DeviceProfile& profile) {
     limits.torque_Nm = 0.9 * profile.torque_limit_Nm;
     limits.continuous_torque_Nm = mechanics.continuous_torque * profile.torque_limit_Nm;
     limits.warming_s = mechanics.warming_s;
+    if (profile.cartesian) limits.continuous_N = profile.cartesian->continuous_N;
     limits.tip = {mechanics.tip_mass_kg, mechanics.viscous_Ns_per_m, mechanics.coulomb_N,
                   encoder_step_m(profile)};
     if (const auto& handle = profile.handle) {
@@ -151,7 +152,7 @@ ForceLimits limits_of(const DeviceProfile& profile) {
 
 ForceChain::ForceChain(const ForceLimits& limits)
     : limits_(limits),
-      heat_(limits.continuous_torque_Nm, limits.warming_s),
+      heat_(limits.continuous_N.value_or(limits.continuous_torque_Nm), limits.warming_s),
       handle_(limits.handle),
       hand_(limits.tip) {}
 
@@ -216,7 +217,8 @@ bool ForceChain::is_ringing(std::uint64_t cuts, double dt_s) {
 
 SafeForce ForceChain::limited(const ChainInput& input, double dt_s) {
     if (safety_.state == ForceState::fault) return none(Limit::fault);
-    if (!input.jacobian) return none(Limit::unreachable);
+    const bool has_joints = !limits_.continuous_N;
+    if (!input.is_placed || (has_joints && !input.jacobian)) return none(Limit::unreachable);
     const Force target = bounded(input);
     // What drives on a fast hand goes at once, not by the slew.
     const bool braked = is_braked(input.velocity_D);
@@ -224,6 +226,10 @@ SafeForce ForceChain::limited(const ChainInput& input, double dt_s) {
     Force force = slewed(target, dt_s);
     if (force != target) limit_by(Limit::slew);
     if (braked) force = without_drive(force, input.velocity_D);
+    if (!has_joints) {
+        plane_share_ = plane_share(input, dt_s);
+        return {force, {}, limited_turn(input, dt_s), plane_share_, Limit::none};
+    }
 
     JointTorques torques = joint_torques(*input.jacobian, force);
     const double peak = std::max(std::abs(torques.x), std::abs(torques.y));
@@ -233,7 +239,7 @@ SafeForce ForceChain::limited(const ChainInput& input, double dt_s) {
         torques = scale * torques;
         limit_by(Limit::torque);
     }
-    return {force, torques, limited_turn(input, dt_s), Limit::none};
+    return {force, torques, limited_turn(input, dt_s), 0.0, Limit::none};
 }
 
 /// Uses the force's state, gains and ceiling: a torque is a force at a lever.
@@ -244,12 +250,22 @@ double ForceChain::limited_turn(const ChainInput& input, double dt_s) {
                         share * ceiling, dt_s);
 }
 
+/// The handle stays on the plane while the force of the picture fades to another one; it comes
+/// there slowly.
+double ForceChain::plane_share(const ChainInput& input, double dt_s) const {
+    const bool may_act = safety_.state == ForceState::ramp || safety_.state == ForceState::live;
+    if (!may_act) return 0.0;
+    const double ceiling = std::min(1.0, ceiling_of(input) / limits_.force_N);
+    const double most = share_of(input) * ceiling * heat_.allowed();
+    return std::min(most, plane_share_ + dt_s / limits_.times.start_s);
+}
+
 /// Applies every limit except the slew and the motors'.
 Force ForceChain::bounded(const ChainInput& input) {
     const double share = share_of(input);
     if (safety_.gain != 1.0 || share != 1.0) limit_by(Limit::gain);
     if (hand_.is_off()) limit_by(Limit::hand);
-    const double pose = pose_gain(*input.jacobian, limits_);
+    const double pose = limits_.continuous_N ? 1.0 : pose_gain(*input.jacobian, limits_);
     if (pose != 1.0) limit_by(Limit::pose);
     Force force = share * safety_.gain * pose * input.wanted_D;
     const double cool = heat_.allowed();
@@ -277,7 +293,10 @@ void ForceChain::book(const ChainInput& input, const SafeForce& told, double dt_
     p_D_ = input.p_D;
     handle_rad_ = input.handle_rad;
     has_position_ = true;
-    heat_.step(told.torques, dt_s);
+    if (limits_.continuous_N)
+        heat_.bear(told.force_D, dt_s);
+    else
+        heat_.step(told.torques, dt_s);
 }
 
 /// Without force there is nothing to judge by, and a fault must not keep itself alive.
@@ -296,6 +315,7 @@ void ForceChain::limit_by(Limit limit) {
 SafeForce ForceChain::none(Limit limit) {
     limit_by(limit);
     last_D_ = {};
+    plane_share_ = 0.0;
     handle_.stop();
     return {};
 }

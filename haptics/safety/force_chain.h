@@ -1,9 +1,10 @@
 // The only place that limits force. One chain per device, stepped once a servo tick: finite check,
 // state and gain -> pose (0 near singularities) -> heat of the motors -> damping where energy was
 // given -> vector clamp -> one-sided speed limit -> slew -> joint torques, both scaled together
-// when one motor saturates -> the energy given to the hand is booked.
-// Every limit holds for any doubles; if anything is in doubt, the force is zero.
-// Threads: one, the servo's. A plain value; no allocation, lock, clock or log.
+// when one motor saturates -> the energy given to the hand is booked. A device that takes forces
+// has no joints: no pose and no torques, but all the rest. Every limit holds for any doubles; if
+// anything is in doubt, the force is zero. Threads: one, the servo's. A plain value; no allocation,
+// lock, clock or log.
 #pragma once
 
 #include "config/types/hand_state.h"
@@ -87,6 +88,8 @@ struct ForceLimits {
     double arm_force_N = 0.1;        // armed: the wanted force is small below this
     double continuous_torque_Nm = 0.6 * 0.123;  // each motor
     double warming_s = 60.0;                    // its time constant
+    /// What a device without joints bears forever; nothing: it has joints.
+    std::optional<double> continuous_N;
     SafetyTimes times;
     TipMechanics tip;
     HandleLimits handle;
@@ -99,7 +102,8 @@ struct ForceLimits {
 /// The inputs of a tick, in the device's frame.
 struct ChainInput {
     Force wanted_D;                    // on the hand
-    std::optional<Jacobian> jacobian;  // of the pose; nothing: unknown or out of reach
+    bool is_placed = false;            // p_D is where the handle is now
+    std::optional<Jacobian> jacobian;  // of the pose of a device with joints, which needs it
     Position p_D;                      // handle, the last known
     Velocity velocity_D;
     double wanted_turn_Nm = 0.0;  // on the hand, counter-clockwise
@@ -111,7 +115,7 @@ struct ChainInput {
     bool is_fading = false;           // force to 0 within fade_s, for as long as this is said
     bool is_cleared = false;          // the operator clears a fault
     bool is_stopped = false;          // emergency stop
-    bool is_unreadable = false;       // the device's angles are no numbers
+    bool is_unreadable = false;       // what the device tells is no number
     bool is_lost = false;             // the device is
     bool has_jumped = false;          // the handle, to where it cannot have moved
     std::uint64_t cuts = 0;           // of the stability monitor, so far
@@ -120,8 +124,9 @@ struct ChainInput {
 /// The force that the motors are told to make, in D, and how it came about.
 struct SafeForce {
     Force force_D;
-    JointTorques torques;
+    JointTorques torques;       // of a device with joints
     double handle_Nm = 0.0;     // of the motor at the handle, where there is one
+    double plane_share = 0.0;   // 0 ... 1, of what holds a device without joints to the plane
     Limit limit = Limit::none;  // the gravest
 };
 
@@ -156,6 +161,7 @@ class ForceChain {
     [[nodiscard]] SafeForce limited(const ChainInput& input, double dt_s);
     [[nodiscard]] Force bounded(const ChainInput& input);
     [[nodiscard]] double limited_turn(const ChainInput& input, double dt_s);
+    [[nodiscard]] double plane_share(const ChainInput& input, double dt_s) const;
     [[nodiscard]] Force slewed(Force target_D, double dt_s) const;
     void book(const ChainInput& input, const SafeForce& told, double dt_s);
     void forget_motion();
@@ -170,9 +176,10 @@ class ForceChain {
     HandleLimit handle_;
     HandPresence hand_;
     ForceStatus status_;
-    Force last_D_;             // told in the last tick
-    Position p_D_;             // in the last tick
-    double handle_rad_ = 0.0;  // the same
+    Force last_D_;              // told in the last tick
+    Position p_D_;              // in the last tick
+    double handle_rad_ = 0.0;   // the same
+    double plane_share_ = 0.0;  // told in the last tick
     bool has_position_ = false;
     std::uint64_t cuts_ = 0;    // known of
     double recent_cuts_ = 0.0;  // forgotten in 1 s

@@ -126,24 +126,27 @@ class PositionGuard {
     int held_ = 0;  // ticks in a row
 };
 
-/// Estimates how warm the motors are from the torques told, and how much force that leaves.
-/// A first-order model. A rise of 1 is the rated one, which the continuous torque reaches in the
-/// end. Heat goes with the square of the current, and so of the torque.
+/// Estimates how warm the motors are from the torques told, or the force where nobody knows the
+/// torques, and how much force that leaves. A first-order model. A rise of 1 is the rated one,
+/// which the continuous load reaches in the end. Heat goes with the square of the current, and so
+/// of the load.
 class MotorHeat {
   public:
-    /// Both > 0: the torque that a motor bears forever, and the time constant of its warming.
-    MotorHeat(double continuous_torque_Nm, double warming_s)
-        : continuous_torque_Nm_(continuous_torque_Nm), warming_s_(warming_s) {}
+    /// Both > 0: the torque that a motor bears forever (or the force that all bear together), and
+    /// the time constant of its warming.
+    MotorHeat(double continuous, double warming_s)
+        : continuous_(continuous), warming_s_(warming_s) {}
 
     /// Advances one tick of dt_s > 0 with finite torques.
     void step(JointTorques torques, double dt_s) {
-        const double share = std::min(1.0, dt_s / warming_s_);
-        const auto warm = [&](double& rise, double torque_Nm) {
-            const double load = torque_Nm / continuous_torque_Nm_;
-            rise += share * (load * load - rise);
-        };
-        warm(rise_1_, torques.x);
-        warm(rise_2_, torques.y);
+        load(rise_1_, torques.x, dt_s);
+        load(rise_2_, torques.y, dt_s);
+    }
+
+    /// Advances one tick of dt_s > 0 with a finite force, of which any motor may bear all.
+    void bear(Force force, double dt_s) {
+        load(rise_1_, norm(force), dt_s);
+        rise_2_ = rise_1_;
     }
 
     /// Both motors are at least as warm as this: rise >= 0.
@@ -165,7 +168,12 @@ class MotorHeat {
     static constexpr double derated_from = 0.7;
     static constexpr double derated_to_zero = 0.9;
 
-    double continuous_torque_Nm_;
+    void load(double& rise, double told, double dt_s) const {
+        const double load = told / continuous_;
+        rise += std::min(1.0, dt_s / warming_s_) * (load * load - rise);
+    }
+
+    double continuous_;
     double warming_s_;
     double rise_1_ = 0.0;
     double rise_2_ = 0.0;

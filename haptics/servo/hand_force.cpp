@@ -33,7 +33,7 @@ WantedForce HandForce::step(const StepInput& input, const HandleReading& handle,
                             const LoopState& loop) {
     events_ = {};
     WantedForce wanted;
-    if (!handle.pose) return wanted;
+    if (!handle.is_placed) return wanted;
     const ProbePose pose{handle.p_WH.x, handle.p_WH.y, handle.angle_rad};
     rendering_.measure_speed(pose, handle.dt_s);
     follow_wishes(input.commands, scene_for(input, pose, loop), pose, loop.is_silent);

@@ -8,6 +8,9 @@ namespace {
 
 constexpr double key_rad_per_s = 2.0;
 constexpr double most_ahead_rad = 0.35;
+// How far the positions' velocity may be off: a hand that changes it by 10 m/s^2 is seen 5 ms late.
+constexpr double unsure_m_per_s = 0.05;
+constexpr double unsure_share = 0.25;
 
 /// One axis: the slopes that keep every sample looked at so far within the noise, and the slope of
 /// the longest line that did.
@@ -85,39 +88,52 @@ HandleMotion::HandleMotion(const DeviceProfile& profile)
       turn_(count_of(profile.handle)) {}
 
 /// Where the handle is, or was a few ticks ago: a jump is not believed at once.
-void HandleMotion::judge(const std::optional<Pose>& told, HandleReading& reading) {
-    if (!told) {
-        guard_.miss(reading.dt_s);
+void HandleMotion::judge(const StepInput& input, HandleReading& handle) {
+    if (!input.reading || !input.reading->p_D) {
+        guard_.miss(handle.dt_s);
         return;
     }
-    const Sample sample = guard_.step(told->p_DH, reading.dt_s);
-    if (sample != Sample::held) good_pose_ = told;
-    reading.pose = good_pose_;
-    reading.has_jumped = sample == Sample::jumped;
+    const Sample sample = guard_.step(*input.reading->p_D, handle.dt_s);
+    if (sample != Sample::held) {
+        p_DH_ = input.reading->p_D;
+        jacobian_ = input.reading->jacobian;
+    }
+    handle.is_placed = p_DH_.has_value();
+    handle.jacobian = jacobian_;
+    handle.has_jumped = sample == Sample::jumped;
+}
+
+/// A device's own velocity is finer than that of its positions, but only these cannot lie.
+Velocity HandleMotion::believed(const std::optional<DeviceReading>& told) const {
+    const Velocity seen = velocity_.velocity();
+    if (!told || !told->p_D || !told->velocity_D) return seen;
+    const Velocity measured = turned(*told->velocity_D);
+    const double most_m_per_s = unsure_m_per_s + unsure_share * norm(seen);
+    return norm(measured - seen) <= most_m_per_s ? measured : seen;
 }
 
 HandleReading HandleMotion::step(const DeviceProfile& profile, const StepInput& input,
                                  std::optional<double> shape_rad, double period_s, double dt_s) {
-    silent_s_ = input.angles ? 0.0 : silent_s_ + period_s;
-    HandleReading reading;
-    reading.dt_s = dt_s;
-    judge(input.angles ? forward(profile.geometry, *input.angles) : std::nullopt, reading);
-    if (!reading.pose || reading.has_jumped) velocity_.reset();
-    if (reading.pose) {
+    silent_s_ = input.reading ? 0.0 : silent_s_ + period_s;
+    HandleReading handle;
+    handle.dt_s = dt_s;
+    judge(input, handle);
+    if (!handle.is_placed || handle.has_jumped) velocity_.reset();
+    if (handle.is_placed) {
         const Position before = p_WH_;
-        p_WH_ = picture_from_device(profile, reading.pose->p_DH);
-        reading.moved = p_WH_ - before;
+        p_WH_ = picture_from_device(profile, *p_DH_);
+        handle.moved = p_WH_ - before;
         (void)velocity_.step(p_WH_, dt_s);
-        turn_.step(input.handle_rad, input.commands.turn_rad, shape_rad.value_or(turn_.angle_rad()),
-                   dt_s);
+        turn_.step(input.reading->handle_rad, input.commands.turn_rad,
+                   shape_rad.value_or(turn_.angle_rad()), dt_s);
     }
-    reading.silent_s = silent_s_;
-    reading.p_WH = p_WH_;
-    reading.velocity = velocity_.velocity();
-    reading.angle_rad = turn_.angle_rad();
-    reading.turned_rad = turn_.turned_rad();
-    reading.rad_per_s = turn_.rad_per_s();
-    return reading;
+    handle.silent_s = silent_s_;
+    handle.p_WH = p_WH_;
+    handle.velocity = believed(input.reading);
+    handle.angle_rad = turn_.angle_rad();
+    handle.turned_rad = turn_.turned_rad();
+    handle.rad_per_s = turn_.rad_per_s();
+    return handle;
 }
 
 }  // namespace touchline

@@ -35,7 +35,7 @@ void ask_for_large_pages(void* start, std::size_t bytes) {
 
 }  // namespace
 
-TickRecord record_of(const StepInput& input, const ServoStep& after, JointTorques torques,
+TickRecord record_of(const StepInput& input, const ServoStep& after, const DeviceCommand& command,
                      bool is_refused) {
     const HandState& hand = after.report().hand;
     const ForceStatus& force = after.report().force;
@@ -49,8 +49,9 @@ TickRecord record_of(const StepInput& input, const ServoStep& after, JointTorque
     tick.p_WH = hand.p_WH;
     tick.p_WP = hand.p_WP;
     tick.force = hand.force;
-    tick.torques = torques;
-    tick.handle_Nm = after.handle_torque_Nm();
+    tick.torques = command.torques;
+    tick.handle_Nm = command.handle_Nm;
+    tick.plane_share = command.plane_share;
     tick.proxy_angle_rad = hand.proxy_angle_rad;
     tick.level = hand.level;
     tick.stiffness_N_per_m = hand.stiffness_N_per_m;

@@ -20,7 +20,7 @@ struct TickRecord {
     StepInput input;                   // without its scene: ...
     std::uint64_t wanted_version = 0;  // ... version of the wanted map instead; 0: none
     bool is_fading_out = false;        // the servo is about to end
-    bool is_refused = false;           // the device did not take the torques
+    bool is_refused = false;           // the device did not take the command
     // Outputs.
     double time_s = 0.0;
     Position p_WH;  // handle
@@ -28,6 +28,7 @@ struct TickRecord {
     Force force;    // commanded
     JointTorques torques;
     double handle_Nm = 0.0;        // torque at the handle
+    double plane_share = 0.0;      // of what holds it to the plane
     double proxy_angle_rad = 0.0;  // of a held shape
     double level = 0.0;
     double stiffness_N_per_m = 0.0;
@@ -44,7 +45,7 @@ struct TickRecord {
 
 /// Makes the record of a tick from the step after it.
 [[nodiscard]] TickRecord record_of(const StepInput& input, const ServoStep& after,
-                                   JointTorques torques, bool is_refused);
+                                   const DeviceCommand& command, bool is_refused);
 
 class Recorder {
   public:

@@ -34,7 +34,7 @@ class Hash {
 };
 
 // Name every member added in tick() or command_fields(); otherwise a run cannot be repeated.
-static_assert(sizeof(StepInput) == sizeof(ServoCommands) + 80);
+static_assert(sizeof(StepInput) == sizeof(ServoCommands) + 168);
 
 template <class Bytes, class Vector>
 void vector(Bytes& bytes, Vector& v) {
@@ -58,6 +58,19 @@ void optional(ByteReader& bytes, std::optional<T>& value, Field field) {
     if (is_there) value = told;
 }
 
+/// What the device told.
+template <class Bytes, class Reading>
+void reading(Bytes& bytes, Reading& told) {
+    optional(bytes, told.p_D, [](auto& f, auto& place) { vector(f, place); });
+    optional(bytes, told.jacobian, [](auto& f, auto& jacobian) {
+        vector(f, jacobian.joint_1);
+        vector(f, jacobian.joint_2);
+    });
+    optional(bytes, told.velocity_D, [](auto& f, auto& velocity) { vector(f, velocity); });
+    optional(bytes, told.handle_rad, [](auto& f, auto& angle_rad) { f.number(angle_rad); });
+    vector(bytes, told.joints);
+}
+
 /// A tick's outputs.
 template <class Bytes, class Tick>
 void outputs(Bytes& bytes, Tick& t) {
@@ -67,6 +80,7 @@ void outputs(Bytes& bytes, Tick& t) {
     vector(bytes, t.force);
     vector(bytes, t.torques);
     bytes.number(t.handle_Nm);
+    bytes.number(t.plane_share);
     bytes.number(t.proxy_angle_rad);
     bytes.number(t.level);
     bytes.number(t.stiffness_N_per_m);
@@ -85,8 +99,7 @@ template <class Bytes, class Tick>
 void tick(Bytes& bytes, Tick& t) {
     bytes.number(t.input.now_s);
     bytes.number(t.input.missed_ticks);
-    optional(bytes, t.input.angles, [](auto& f, auto& angles) { vector(f, angles); });
-    optional(bytes, t.input.handle_rad, [](auto& f, auto& angle_rad) { f.number(angle_rad); });
+    optional(bytes, t.input.reading, [](auto& f, auto& told) { reading(f, told); });
     command_fields(bytes, t.input.commands);
     bytes.number(t.input.delay_s);
     bytes.number(t.input.force_share);
@@ -261,7 +274,7 @@ Result<Replay> run_again(const Recording& recording, const SceneOf& scene_of) {
             "the recording cannot be run again: a visitor's picture was felt, of which only "
             "inputs, outputs and a number are kept, or a shape was in the hand all the time");
     }
-    const auto profile = find_profile(recording.profile);
+    const auto profile = find_device_profile(recording.profile);
     if (!profile) return tl::unexpected(profile.error());
     const auto scenes = scenes_of(recording, scene_of);
     if (!scenes) return tl::unexpected(scenes.error());
@@ -279,8 +292,8 @@ Result<Replay> run_again(const Recording& recording, const SceneOf& scene_of) {
         StepInput input = told.input;
         input.scene = scenes->at(told.wanted_version).get();
         if (told.is_fading_out) step->fade_out();
-        const JointTorques torques = step->step(input);
-        replay.ticks.push_back(record_of(input, *step, torques, told.is_refused));
+        const DeviceCommand command = step->step(input);
+        replay.ticks.push_back(record_of(input, *step, command, told.is_refused));
         if (told.is_refused) step->lose_device();
         if (!replay.differs_at && !came_out_same(replay.ticks.back(), told)) {
             replay.differs_at = i;

@@ -35,12 +35,11 @@ ServoLoop::ServoLoop(ForceDevice& device, const DeviceProfile& profile, double p
 
 /// Returns false if the device refused. Until the device holds zero, anyone who finds this loop
 /// dead must assume that there is torque.
-bool ServoLoop::write(JointTorques torques, double handle_Nm) {
-    const bool is_zero = torques == JointTorques{} && handle_Nm == 0.0;
+bool ServoLoop::write(const DeviceCommand& command) {
+    const bool is_zero = command == DeviceCommand{};
     std::atomic<std::uint8_t>& is_force_on = exchange_.channel().is_force_on;
     if (!is_zero) is_force_on.store(1, std::memory_order_release);
-    device_.turn_handle(handle_Nm);
-    const bool is_taken = device_.write_torques(torques);
+    const bool is_taken = device_.write(command);
     if (is_zero && is_taken) is_force_on.store(0, std::memory_order_release);
     return is_taken || is_zero;
 }
@@ -49,16 +48,15 @@ void ServoLoop::tick(double now_s, std::uint64_t missed_ticks) {
     StepInput input;
     input.now_s = now_s;
     input.missed_ticks = missed_ticks;
-    input.angles = device_.read_angles(now_s);
-    input.handle_rad = device_.handle_angle_rad();
+    input.reading = device_.read(now_s);
     input.commands = exchange_.commands();
     input.scene = exchange_.wanted_scene();
     input.delay_s = delay_s_;
     input.force_share = force_share_;
     recorder_.begin(step_);
-    const JointTorques torques = step_.step(input);
-    const bool is_refused = !write(torques, step_.handle_torque_Nm());
-    recorder_.push(record_of(input, step_, torques, is_refused));
+    const DeviceCommand command = step_.step(input);
+    const bool is_refused = !write(command);
+    recorder_.push(record_of(input, step_, command, is_refused));
     if (is_refused) step_.lose_device();
     if (step_.scene() == input.scene) exchange_.release_older_scenes();
     exchange_.publish(step_.report());
@@ -68,13 +66,13 @@ void ServoLoop::tick(double now_s, std::uint64_t missed_ticks) {
 
 void ServoLoop::tell_guard(const StepInput& input) {
     ServoChannel& channel = exchange_.channel();
-    channel.is_device_silent.store(input.angles ? 0 : 1, std::memory_order_relaxed);
+    channel.is_device_silent.store(input.reading ? 0 : 1, std::memory_order_relaxed);
     channel.fault.store(static_cast<std::uint8_t>(step_.report().force.fault),
                         std::memory_order_relaxed);
     channel.motor_heat.store(step_.motor_heat(), std::memory_order_relaxed);
-    if (!input.angles) return;
-    channel.joint_1.store(input.angles->x, std::memory_order_relaxed);
-    channel.joint_2.store(input.angles->y, std::memory_order_relaxed);
+    if (!input.reading) return;
+    channel.joint_1.store(input.reading->joints.x, std::memory_order_relaxed);
+    channel.joint_2.store(input.reading->joints.y, std::memory_order_relaxed);
 }
 
 void ServoLoop::judge_timing(double now_s, const Moment& moment, std::uint64_t missed_ticks) {
@@ -126,7 +124,7 @@ void ServoLoop::write_last_zero(Clock& clock, TickSchedule& schedule) {
     (void)write({});
     for (int i = 0; i < last_writes && is_force_on.load(std::memory_order_relaxed) != 0; ++i) {
         clock.sleep_until(schedule.due_ns());
-        (void)device_.read_angles(schedule.due_s());
+        (void)device_.read(schedule.due_s());
         (void)write({});
         schedule.finish(clock.now_ns());
     }

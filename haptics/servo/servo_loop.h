@@ -43,7 +43,7 @@ class ServoLoop {
     void tick(double now_s, std::uint64_t missed_ticks);
 
     /// Ticks until an end is wanted, here or in the channel, and force has faded out, or until it
-    /// is cut. Then writes zero torque until the device holds it, for at most 20 periods.
+    /// is cut. Then writes zero until the device holds it, for at most 20 periods.
     void run(Clock& clock, std::int64_t period_ns, const LoopEnd& end);
 
   private:
@@ -53,7 +53,7 @@ class ServoLoop {
         std::int64_t begun_ns = 0;
     };
 
-    [[nodiscard]] bool write(JointTorques torques, double handle_Nm = 0.0);
+    [[nodiscard]] bool write(const DeviceCommand& command);
     void tell_guard(const StepInput& input);
     void write_last_zero(Clock& clock, TickSchedule& schedule);
     void judge_timing(double now_s, const Moment& moment, std::uint64_t missed_ticks);
@@ -74,7 +74,7 @@ class ServoLoop {
     RealTimeTier tier_;
     std::int64_t last_begun_ns_ = 0;
     std::uint64_t last_missed_ = 0;
-    double delay_s_ = 0.0;  // in the last tick, from its due time to its torques' write
+    double delay_s_ = 0.0;  // in the last tick, from its due time to its command's write
 };
 
 }  // namespace touchline

@@ -12,9 +12,25 @@ namespace {
 constexpr double longest_silence_s = 0.02;
 constexpr double ceiling_rise_N_per_s = 1.0;
 
-bool is_unreadable(const StepInput& input) {
-    return (input.angles && !is_finite(*input.angles)) ||
-           (input.handle_rad && !std::isfinite(*input.handle_rad));
+bool is_unreadable(const std::optional<DeviceReading>& told) {
+    if (!told) return false;
+    const bool is_number = is_finite(told->joints) && is_finite(told->p_D.value_or(Position{})) &&
+                           is_finite(told->jacobian.value_or(Jacobian{})) &&
+                           is_finite(told->velocity_D.value_or(Velocity{})) &&
+                           std::isfinite(told->handle_rad.value_or(0.0));
+    return !is_number;
+}
+
+/// Of force and torques the device gets its own.
+DeviceCommand command_of(const SafeForce& safe, const DeviceProfile& profile) {
+    if (has_joints(profile)) return {{}, safe.torques, safe.handle_Nm, 0.0};
+    return {safe.force_D, {}, safe.handle_Nm, safe.plane_share};
+}
+
+bool is_steppable(const DeviceProfile& profile) {
+    if (!has_joints(profile)) return profile.cartesian->step_m > 0.0;
+    const auto angles = inverse(profile.geometry, profile.centre);
+    return angles && forward(profile.geometry, *angles);
 }
 
 }  // namespace
@@ -25,10 +41,11 @@ SafeForce MotorForce::step(const DeviceProfile& profile, const StepInput& input,
     const ServoCommands& commands = input.commands;
     ChainInput chain;
     chain.wanted_D = turned(wanted.force);
-    if (handle.pose) chain.jacobian = handle.pose->jacobian;
+    chain.is_placed = handle.is_placed;
+    chain.jacobian = handle.jacobian;
     chain.p_D = device_from_picture(profile, handle.p_WH);
     chain.velocity_D = turned(handle.velocity);
-    chain.is_unreadable = is_unreadable(input);
+    chain.is_unreadable = is_unreadable(input.reading);
     chain.wanted_turn_Nm = wanted.turn_Nm;
     chain.handle_rad = handle.angle_rad;
     chain.turn_rad_per_s = handle.rad_per_s;
@@ -45,7 +62,7 @@ SafeForce MotorForce::step(const DeviceProfile& profile, const StepInput& input,
     chain.cuts = monitor_.cuts();
     // Ramps and slew advance by one period however late the tick is.
     const SafeForce safe = chain_.step(chain, period_s);
-    if (handle.pose) watch(turned(safe.force_D), handle, wanted);
+    if (handle.is_placed) watch(turned(safe.force_D), handle, wanted);
     return safe;
 }
 
@@ -87,9 +104,8 @@ bool ServoStep::rebind(const Scene* scene, const DeviceProfile& profile) {
     constexpr double shortest_s = 1e-5;
     profile_.name = profile.name;
     const bool fits = hand_force_.rebind(scene);
-    const auto angles = inverse(profile_.geometry, profile_.centre);
-    return fits && angles && forward(profile_.geometry, *angles) &&
-           loop_.period_s() >= shortest_s && loop_.period_s() <= 1.0 && handle_.is_sound();
+    return fits && is_steppable(profile_) && loop_.period_s() >= shortest_s &&
+           loop_.period_s() <= 1.0 && handle_.is_sound();
 }
 
 LoopState ServoStep::loop_state(const ServoCommands& commands) const {
@@ -99,7 +115,7 @@ LoopState ServoStep::loop_state(const ServoCommands& commands) const {
             motor_force_.spring_gain(), loop_.stiffness_bound(),  loop_.damping_Ns_per_m()};
 }
 
-JointTorques ServoStep::step(const StepInput& input) {
+DeviceCommand ServoStep::step(const StepInput& input) {
     const double period_s = loop_.period_s();
     const double dt_s = std::max(period_s, input.now_s - last_s_);
     last_s_ = input.now_s;
@@ -111,14 +127,13 @@ JointTorques ServoStep::step(const StepInput& input) {
     watch_hand(handle, wanted.active);
     const bool is_fading = hand_force_.is_swapping() || is_stopping_;
     const SafeForce safe = motor_force_.step(profile_, input, handle, wanted, is_fading, period_s);
-    handle_Nm_ = safe.handle_Nm;
     fill(input, handle, wanted, safe);
-    return safe.torques;
+    return command_of(safe, profile_);
 }
 
 /// Guidance and patterns move the handle on purpose.
 void ServoStep::watch_hand(const HandleReading& handle, Force active) {
-    const bool is_told = handle.pose && !handle.has_jumped && active == Force{};
+    const bool is_told = handle.is_placed && !handle.has_jumped && active == Force{};
     if (is_told)
         hand_work_.step(report_.hand.force, handle.p_WH, handle.dt_s);
     else

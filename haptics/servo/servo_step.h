@@ -1,5 +1,5 @@
-// One servo tick as a pure step: joint angles and commands in, joint torques and hand state out.
-// Threads: one, the servo's. No allocation, lock, log, clock or system call.
+// One servo tick as a pure step: what the device tells and commands in, what it is told and hand
+// state out. Threads: one, the servo's. No allocation, lock, log, clock or system call.
 #pragma once
 
 #include "haptics/collision/scene.h"
@@ -27,12 +27,12 @@ class MotorForce {
     explicit MotorForce(const DeviceProfile& profile) : chain_(limits_of(profile)) {}
 
     /// Advances one tick; `period_s` > 0 is the planned one. `is_fading`: force to zero within 50
-    /// ms. A device that has been silent for 20 ms, or that took no torques, is a fault.
+    /// ms. A device that has been silent for 20 ms, or that took no command, is a fault.
     [[nodiscard]] SafeForce step(const DeviceProfile& profile, const StepInput& input,
                                  const HandleReading& handle, const WantedForce& wanted,
                                  bool is_fading, double period_s);
 
-    /// Tells it that the device took no torques.
+    /// Tells it that the device took no command.
     void lose_device() { is_refused_ = true; }
 
     [[nodiscard]] bool is_silent() const { return chain_.is_faded(); }
@@ -55,7 +55,7 @@ class MotorForce {
     ForceChain chain_;
     StabilityMonitor monitor_;
     double ceiling_N_ = most_force_N;
-    bool is_refused_ = false;  // the last torques were
+    bool is_refused_ = false;  // the last command was
     std::uint32_t faults_cleared_ = 0;
 };
 
@@ -81,13 +81,10 @@ class ServoStep {
     /// allow (loop_settings.h). A new scene, proxy radius or capture width first fades force to
     /// zero, drops the contact and fades in again; a new mode takes over under the hand, and the
     /// old mode's force fades into its own. A device that does not answer gets no force, and after
-    /// 20 ms it is a fault, as is one that refuses torques. In a fault everything goes on except
+    /// 20 ms it is a fault, as is one that refuses a command. In a fault everything goes on except
     /// the force (haptics/safety/force_chain.h). While guidance leads the hand, lines are a weak
     /// groove in every mode.
-    [[nodiscard]] JointTorques step(const StepInput& input);
-
-    /// The last step's torque for a motor at the handle.
-    [[nodiscard]] double handle_torque_Nm() const { return handle_Nm_; }
+    [[nodiscard]] DeviceCommand step(const StepInput& input);
 
     /// True if part of the step's state lies in another object.
     [[nodiscard]] bool holds_shape() const { return hand_force_.rendering().holds_shape(); }
@@ -99,7 +96,7 @@ class ServoStep {
 
     [[nodiscard]] bool is_silent() const { return motor_force_.is_silent(); }
 
-    /// Tells the step that the device took no torques.
+    /// Tells the step that the device took no command.
     void lose_device() { motor_force_.lose_device(); }
 
     /// The motors are as warm as this from another servo's work (MotorHeat), >= 0.
@@ -130,7 +127,6 @@ class ServoStep {
     HandForce hand_force_;
     MotorForce motor_force_;
     HandWork hand_work_;
-    double handle_Nm_ = 0.0;  // sent to the handle's motor
     double last_s_ = 0.0;
     bool is_stopping_ = false;
     ServoReport report_;

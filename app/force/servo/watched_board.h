@@ -17,12 +17,13 @@
 
 namespace touchline {
 
-class WatchedBoard final : public ForceDevice {
+class WatchedBoard final : public JointDevice {
   public:
     /// `slept`: how long the machine has slept since some fixed moment, ns.
     WatchedBoard(std::unique_ptr<BoardLink> link, const DeviceProfile& profile,
                  const Calibration& calibration, std::int64_t (*slept)() = slept_ns)
-        : board_(std::move(link), profile, calibration),
+        : JointDevice(profile.geometry),
+          board_(std::move(link), profile, calibration),
           drift_(homing_plan(profile, calibration.stop_off)),
           slept_(slept),
           awake_since_ns_(slept()) {}

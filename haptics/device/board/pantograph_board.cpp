@@ -34,7 +34,7 @@ PortAngles followed(PortAngles before, PortAngles said, PortAngles quantum) {
 
 PantographBoard::PantographBoard(std::unique_ptr<BoardLink> link, const DeviceProfile& profile,
                                  const Calibration& calibration)
-    : link_(std::move(link)), frame_(profile, calibration) {}
+    : JointDevice(profile.geometry), link_(std::move(link)), frame_(profile, calibration) {}
 
 PantographBoard::~PantographBoard() {
     if (report_.state != BoardState::closed) stop();

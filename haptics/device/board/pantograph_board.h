@@ -8,7 +8,7 @@
 #include "config/types/result.h"
 #include "haptics/device/board/board_frame.h"
 #include "haptics/device/board/board_link.h"
-#include "haptics/device/force_device.h"
+#include "haptics/device/joint_device.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -103,7 +103,7 @@ struct BoardReport {
 };
 
 /// Threads: as ForceDevice. Only open(), end_in_zero(), stop() and the destructor wait.
-class PantographBoard final : public ForceDevice {
+class PantographBoard final : public JointDevice {
   public:
     PantographBoard(std::unique_ptr<BoardLink> link, const DeviceProfile& profile,
                     const Calibration& calibration);

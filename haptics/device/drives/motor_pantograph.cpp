@@ -19,7 +19,7 @@ constexpr int longest_end_ms = 50;
 
 MotorPantograph::MotorPantograph(std::unique_ptr<MotorPair> pair, const DeviceProfile& profile,
                                  const JointDrives& drives)
-    : pair_(std::move(pair)), frame_(profile, drives) {}
+    : JointDevice(profile.geometry), pair_(std::move(pair)), frame_(profile, drives) {}
 
 MotorPantograph::~MotorPantograph() {
     if (report_.state != DriveState::closed) stop();

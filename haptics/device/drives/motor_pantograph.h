@@ -6,7 +6,7 @@
 
 #include "config/types/result.h"
 #include "haptics/device/drives/motor_pair.h"
-#include "haptics/device/force_device.h"
+#include "haptics/device/joint_device.h"
 
 #include <cstdint>
 #include <memory>
@@ -34,7 +34,7 @@ struct DriveReport {
 };
 
 /// Threads: as ForceDevice. Only open(), end_in_zero(), stop() and the destructor wait.
-class MotorPantograph final : public ForceDevice {
+class MotorPantograph final : public JointDevice {
   public:
     /// `drives` must have passed check(). The torque limit is the profile's.
     MotorPantograph(std::unique_ptr<MotorPair> pair, const DeviceProfile& profile,
@@ -43,7 +43,8 @@ class MotorPantograph final : public ForceDevice {
     ~MotorPantograph() override;
 
     /// Arms both controllers and waits for their first angles. The encoders say where the handle
-    /// is, unless is_position_doubtful. Takes 50 ms, or up to 3 s before it fails, in one line.
+    /// is, unless is_position_doubtful. Takes some tens of ms, or up to 3 s before it fails, in one
+    /// line.
     [[nodiscard]] Result<void> open();
 
     /// Returns the newest angles. Returns nothing while setting up, jumped, refused or lost, and at

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <ctime>
 #include <exception>
+#include <functional>
 #include <limits>
 #include <string>
 #include <thread>
@@ -57,7 +58,7 @@ class Inverse3Service::Talk {
     Talk(const Talk&) = delete;
     Talk& operator=(const Talk&) = delete;
 
-    Result<void> begin();
+    Result<void> begin(const std::function<bool()>& goes_on);
     void end();
 
     ArmNews news() {
@@ -71,6 +72,9 @@ class Inverse3Service::Talk {
     }
 
     bool cut() noexcept;
+
+    /// The thread leaves it as it is from the first news on.
+    [[nodiscard]] std::string name() const { return std::string(session_.name()); }
 
   private:
     void connected(error_code error);
@@ -112,12 +116,15 @@ class Inverse3Service::Talk {
     std::thread thread_;
 };
 
-Result<void> Inverse3Service::Talk::begin() {
+Result<void> Inverse3Service::Talk::begin(const std::function<bool()>& goes_on) {
     const auto deadline = std::chrono::steady_clock::now() + longest_connect;
     const tcp::endpoint door(asio::ip::address_v4::loopback(), port_);
     socket_.next_layer().async_connect(door, [this](error_code error) { connected(error); });
-    while (stage_ != TalkStage::over && !session_.has_arm() && io_.run_one_until(deadline) > 0)
-        continue;
+    while (stage_ != TalkStage::over && !session_.has_arm() &&
+           std::chrono::steady_clock::now() < deadline) {
+        if (goes_on && !goes_on()) return failure("nobody wants the Inverse3 any more");
+        (void)io_.run_one_for(look_period);
+    }
     if (session_.has_arm() && stage_ == TalkStage::talking) {
         thread_ = std::thread([this] { io_.run(); });
         return {};
@@ -263,15 +270,27 @@ void Inverse3Service::Talk::end() {
     thread_.join();
 }
 
-Result<std::unique_ptr<Inverse3Service>> Inverse3Service::connect(std::string_view name,
-                                                                  std::uint16_t port) {
+Result<std::unique_ptr<Inverse3Service>> Inverse3Service::connect(
+    std::string_view name, std::uint16_t port, const std::function<bool()>& goes_on) {
     try {
         auto talk = std::make_unique<Talk>(name, port);
-        if (const auto begun = talk->begin(); !begun) return tl::unexpected(begun.error());
+        if (const auto begun = talk->begin(goes_on); !begun) return tl::unexpected(begun.error());
         return std::unique_ptr<Inverse3Service>(new Inverse3Service(std::move(talk)));
     } catch (const std::exception& lack) {
         return failure(fmt::format("the Inverse3's service cannot be talked to: {}", lack.what()));
     }
+}
+
+bool Inverse3Service::answers(std::uint16_t port) {
+    asio::io_context io;
+    tcp::socket socket(io);
+    error_code error;
+    socket.connect({asio::ip::address_v4::loopback(), port}, error);
+    return !error;
+}
+
+std::string Inverse3Service::name() const {
+    return talk_->name();
 }
 
 Inverse3Service::Inverse3Service(std::unique_ptr<Talk> talk) : talk_(std::move(talk)) {}

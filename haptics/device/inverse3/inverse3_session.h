@@ -58,6 +58,9 @@ class Inverse3Session {
     /// True once a device is chosen, which stays the same.
     [[nodiscard]] bool has_arm() const { return arm_.has_value(); }
 
+    /// The chosen device's; empty while there is none.
+    [[nodiscard]] std::string_view name() const { return arm_ ? arm_->text() : std::string_view(); }
+
     /// Notes that the service closed the conversation.
     void lose() { news_.is_gone = true; }
 

@@ -90,7 +90,7 @@ void MoteusPair::take(const CanFrame& frame) {
     if (answer.kind == MoteusAnswer::Kind::unknown_register) {
         ++wrong_;
         if (stage_ == Stage::enable && ++unknown_in_a_row_ >= most_unknown_in_a_row)
-            refuse(MotorTrouble::Kind::too_old, motor_number(motor));
+            doubt(MotorTrouble::Kind::too_old, motor_number(motor));
         return;
     }
     if ((answer.kind == MoteusAnswer::Kind::console) != open->is_console) {
@@ -152,11 +152,12 @@ void MoteusPair::enable(const Exchange& exchange) {
         if (is_in(said, MoteusMode::fault))
             return refuse(MotorTrouble::Kind::fault, motor_number(motor), said.fault);
         if (!is_read_back(watchdog_s, said.watchdog_s))
-            return refuse(MotorTrouble::Kind::watchdog_not_set, motor_number(motor));
+            return doubt(MotorTrouble::Kind::watchdog_not_set, motor_number(motor));
         if (!is_in(said, MoteusMode::position)) return;
     }
     if (!is_followed(exchange, 0) || !is_followed(exchange, 1)) return;
     are_absolute_ = exchange.status[0].home != 0 && exchange.status[1].home != 0;
+    doubts_ = 0;
     state_ = PairState::ready;
     go(Stage::ready);
     follow(exchange);
@@ -172,17 +173,24 @@ void MoteusPair::read_consoles() {
         const Console& console = consoles_[motor];
         if (!console.is_line_whole) return;
         const std::string_view line = console.text();
-        if (line.starts_with("ERR"))
-            return refuse(MotorTrouble::Kind::too_old, motor_number(motor));
+        if (line.starts_with("ERR")) return doubt(MotorTrouble::Kind::too_old, motor_number(motor));
         const auto mode = number_in(line);
         if (stage_ == Stage::read_mode && mode != lets_go)
-            return refuse(MotorTrouble::Kind::not_let_go, motor_number(motor),
-                          static_cast<std::uint32_t>(mode.value_or(-1)));
+            return doubt(MotorTrouble::Kind::not_let_go, motor_number(motor),
+                         static_cast<std::uint32_t>(mode.value_or(-1)));
     }
     go(stage_ == Stage::set_mode ? Stage::read_mode : Stage::enable);
 }
 
+// A line that was lost or garbled reads back like a controller that cannot; twice is no accident.
+void MoteusPair::doubt(MotorTrouble::Kind kind, int motor, std::uint32_t code) {
+    if (doubts_++ > 0) return refuse(kind, motor, code);
+    state_ = PairState::astray;
+    go(Stage::stop);
+}
+
 void MoteusPair::refuse(MotorTrouble::Kind kind, int motor, std::uint32_t code) {
+    doubts_ = 0;
     state_ = PairState::refused;
     trouble_ = {kind, motor, code};
     is_let_go_ = true;

@@ -72,6 +72,7 @@ class MoteusPair final : public MotorPair {
     void enable(const Exchange& exchange);
     void read_consoles();
     void refuse(MotorTrouble::Kind kind, int motor, std::uint32_t code = 0);
+    void doubt(MotorTrouble::Kind kind, int motor, std::uint32_t code = 0);
     [[nodiscard]] CanFrame frame_for(MoteusAddress address, double torque_Nm) const;
     [[nodiscard]] bool is_followed(const Exchange& exchange, std::size_t motor) const;
 
@@ -92,6 +93,7 @@ class MoteusPair final : public MotorPair {
     std::uint64_t zero_since_ = 1;  // first question after which none asked for torque
     std::uint64_t held_zero_ = 0;   // newest question at which both had no torque
     std::uint64_t wrong_ = 0;
+    int doubts_ = 0;  // since the pair was ready
     int unknown_in_a_row_ = 0;
     bool are_absolute_ = false;
     std::optional<ShaftTurns> turns_;  // of this step

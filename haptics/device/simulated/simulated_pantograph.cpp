@@ -181,7 +181,8 @@ Force PantographPlant::force_W() const {
 SimulatedPantograph::SimulatedPantograph(const DeviceProfile& profile,
                                          const SimulationOptions& options,
                                          std::shared_ptr<const IntendedPath> path)
-    : profile_(profile),
+    : JointDevice(profile.geometry),
+      profile_(profile),
       arm_1_scale_error_(options.arm_1_scale_error),
       plant_(profile, options.hand, options.substep_s, std::move(path)) {}
 
@@ -208,23 +209,18 @@ void SimulatedPantograph::turn_handle(double torque_Nm) {
 }
 
 bool SimulatedPantograph::write_torques(JointTorques torques) {
-    if (pending_count_ == pending_.size()) --pending_count_;  // the newest gives way
-    const std::size_t slot = (first_pending_ + pending_count_) % pending_.size();
     const double limit = profile_.torque_limit_Nm;
-    pending_[slot] = {plant_.time_s() + profile_.mechanics.delay_s,
-                      {motor_torque(torques.x, limit), motor_torque(torques.y, limit)},
-                      std::exchange(handle_Nm_, 0.0)};
-    ++pending_count_;
+    pending_.push(plant_.time_s() + profile_.mechanics.delay_s,
+                  {{motor_torque(torques.x, limit), motor_torque(torques.y, limit)},
+                   std::exchange(handle_Nm_, 0.0)});
     return true;
 }
 
 void SimulatedPantograph::advance_to(double t_s) {
-    while (pending_count_ > 0 && pending_[first_pending_].from_s <= t_s) {
-        const TimedTorques& command = pending_[first_pending_];
-        plant_.advance(command.from_s - plant_.time_s());
-        plant_.turn_motors(command.torques, command.handle_Nm);
-        first_pending_ = (first_pending_ + 1) % pending_.size();
-        --pending_count_;
+    while (const auto* const next = pending_.due(t_s)) {
+        plant_.advance(next->from_s - plant_.time_s());
+        plant_.turn_motors(next->command.torques, next->command.handle_Nm);
+        pending_.pop();
     }
     plant_.advance(t_s - plant_.time_s());
     plant_.skip_to(t_s);

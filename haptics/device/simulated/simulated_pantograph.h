@@ -5,12 +5,11 @@
 #pragma once
 
 #include "config/types/vec2.h"
-#include "haptics/device/force_device.h"
+#include "haptics/device/joint_device.h"
+#include "haptics/device/simulated/delayed.h"
 #include "haptics/pantograph/profile.h"
 
-#include <array>
 #include <atomic>
-#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -232,7 +231,7 @@ struct SimulationOptions {
 };
 
 /// Threads: as ForceDevice; another thread may lead the path if the path allows it.
-class SimulatedPantograph final : public ForceDevice {
+class SimulatedPantograph final : public JointDevice {
   public:
     /// The tip starts at rest where the path starts, or at the centre of the drawing area if that
     /// is out of reach.
@@ -260,8 +259,7 @@ class SimulatedPantograph final : public ForceDevice {
     [[nodiscard]] double acting_handle_torque_Nm() const { return plant_.handle_torque_Nm(); }
 
   private:
-    struct TimedTorques {
-        double from_s = 0.0;
+    struct Torques {
         JointTorques torques;
         double handle_Nm = 0.0;
     };
@@ -271,10 +269,8 @@ class SimulatedPantograph final : public ForceDevice {
     DeviceProfile profile_;
     double arm_1_scale_error_;
     PantographPlant plant_;
-    double handle_Nm_ = 0.0;                  // goes with the next torques
-    std::array<TimedTorques, 64> pending_{};  // by time; first_pending_ is the oldest
-    std::size_t first_pending_ = 0;
-    std::size_t pending_count_ = 0;
+    double handle_Nm_ = 0.0;  // goes with the next torques
+    Delayed<Torques> pending_;
 };
 
 }  // namespace touchline

@@ -34,13 +34,13 @@ void SteppedServo::run_until(double now_s) {
         now_s_ += period_s;
         StepInput input;
         input.now_s = now_s_;
-        if (!is_broken_) input.angles = device_.read_angles(now_s_);
+        if (!is_broken_) input.reading = device_.read(now_s_);
         input.commands = commands_;
         input.delay_s = delay_s;
         input.scene = picture_.scene.get();
         if (alive_.empty() || alive_.back() != picture_.scene) alive_.push_back(picture_.scene);
-        const JointTorques torques = step_->step(input);
-        if (!is_broken_) (void)device_.write_torques(torques);
+        const DeviceCommand command = step_->step(input);
+        if (!is_broken_) (void)device_.write(command);
         while (alive_.size() > 1 && alive_.front().get() != step_->scene()) alive_.pop_front();
         report_ = step_->report();
         most_force_N = std::max(most_force_N, norm(report_.hand.force));

@@ -133,8 +133,8 @@ TEST(PointerPace, APointerThatLeapsLeavesTheForceOn) {
         }
         StepInput input;
         input.now_s = 1e-3 * k;
-        input.angles = device.read_angles(input.now_s);
-        (void)device.write_torques(step.step(input));
+        input.reading = device.read(input.now_s);
+        (void)device.write(step.step(input));
         ASSERT_NE(step.report().force.state, ForceState::fault) << k;
     }
     EXPECT_EQ(step.report().force.state, ForceState::live);

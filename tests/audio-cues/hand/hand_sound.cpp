@@ -66,8 +66,8 @@ Result<HandRun> follow(const TactileMap& map, const std::vector<Position>& way,
     const auto ticks = static_cast<int>(points.back().t_s / tick_s);
     for (int i = 0; i < ticks; ++i) {
         const double now_s = tick_s * i;
-        const StepInput input{now_s, 0, device.read_angles(now_s), commands, &*scene};
-        (void)device.write_torques(servo.step(input));
+        const StepInput input{now_s, 0, device.read(now_s), commands, &*scene};
+        (void)device.write(servo.step(input));
         run.events.insert(run.events.end(), servo.events().begin(), servo.events().end());
         run.handle.push_back(servo.report().hand.p_WH);
         run.distance_m.push_back(distance_to(map, run.handle.back()));

@@ -123,6 +123,9 @@ TEST(SettingRows, TextsAreOfTheirKind) {
     expect_texts("profile", "use", {"", "child", "class-3"}, {"../child", "Child", "a b"});
     expect_texts("print", "printer", {"", "swell-paper_2", "Drucker"},
                  {"a b", "a/b", "a#b", "a\nb", std::string(128, 'a')});
+    expect_texts("device", "port", {"", "/dev/ttyACM0", "/dev/serial/by-id/usb-1", "can0"},
+                 {"/dev/", "/etc/passwd", "/dev/../etc/passwd", "a b", "a/b", "a:b", "a\nb",
+                  std::string(16, 'a')});
     expect_texts("care", "notice", {"", "Zurück um zwei."}, {"a\nb", std::string(201, 'a')});
 }
 

@@ -77,6 +77,17 @@ TEST(Profiles, DrawingAreasStayBelowCondition3AndReachable) {
     }
 }
 
+TEST(Profiles, TheOneThatOneBuildsIsFoundByNameAndHasThePublishedSize) {
+    const auto found = find_device_profile("open-five-bar");
+    ASSERT_TRUE(found.has_value());
+    const DeviceProfile mk2 = find_profile("mk2").value();
+    EXPECT_EQ(found->geometry, mk2.geometry);
+    EXPECT_EQ(found->area.width_m, mk2.area.width_m);
+    EXPECT_EQ(found->centre, mk2.centre);
+    EXPECT_LT(encoder_step_m(*found), 3e-5);
+    EXPECT_FALSE(find_profile("open-five-bar").has_value()) << "no board drives it";
+}
+
 // The condition is 6.6 where the arms stop in one line; the force comes in the drawing area.
 TEST(Profiles, HomePosesCanBeReachedAndCarryForce) {
     for (const DeviceProfile& profile : device_profiles()) {

@@ -21,8 +21,16 @@ inline Jacobian pose_with_condition(double c) {
 inline ChainInput wanting(Force wanted, const Jacobian& pose = good_pose) {
     ChainInput input;
     input.wanted_D = wanted;
+    input.is_placed = true;
     input.jacobian = pose;
     return input;
+}
+
+/// The limits of a device without joints.
+inline ForceLimits of_forces() {
+    ForceLimits limits;
+    limits.continuous_N = 1.8;
+    return limits;
 }
 
 inline ForceChain live_chain(const ForceLimits& limits = {}) {

@@ -103,6 +103,82 @@ TEST(ForceChainInputs, LimitsOfHeatAndHandComeFromTheDeviceToo) {
     EXPECT_EQ(limits.tip.count_m, encoder_step_m(device));
 }
 
+TEST(ForceChainInputs, ADeviceThatTakesForcesHasItsOwnLimits) {
+    const DeviceProfile& device = cartesian_profiles().front();
+    const ForceLimits limits = limits_of(device);
+    EXPECT_EQ(limits.continuous_N, device.cartesian->continuous_N);
+    EXPECT_EQ(limits.force_N, device.force_limit_N);
+    EXPECT_EQ(limits.tip.count_m, device.cartesian->step_m);
+    EXPECT_FALSE(limits_of(default_profile()).continuous_N.has_value());
+}
+
+/// It needs no Jacobian, and one that is singular takes nothing away.
+TEST(ForceChainInputs, WithoutJointsThereIsNoPoseAndNoTorque) {
+    for (const bool has_one : {false, true}) {
+        ForceChain chain = live_chain(of_forces());
+        ChainInput input = wanting({2.5, 0.5}, pose_with_condition(100.0));
+        if (!has_one) input.jacobian.reset();
+        const SafeForce out = run(chain, input);
+        EXPECT_NEAR(out.force_D.x, 2.5, 1e-12);
+        EXPECT_NEAR(out.force_D.y, 0.5, 1e-12);
+        EXPECT_EQ(out.torques, JointTorques{});
+    }
+}
+
+TEST(ForceChainInputs, WithoutJointsAPlaceThatIsNotKnownIsZeroAtOnce) {
+    ForceChain chain = live_chain(of_forces());
+    (void)settled(chain, {2.0, 0.0});
+    ChainInput unknown = wanting({2.0, 0.0});
+    unknown.is_placed = false;
+    const SafeForce out = chain.step(unknown, tick_s);
+    EXPECT_EQ(out.force_D, Force{});
+    EXPECT_EQ(out.plane_share, 0.0);
+    EXPECT_EQ(out.limit, Limit::unreachable);
+}
+
+/// With joints it is the Jacobian that is needed, wherever the handle is said to be.
+TEST(ForceChainInputs, WithJointsAPlaceWithoutAJacobianIsZero) {
+    ForceChain chain = live_chain();
+    ChainInput input = wanting({1.0, 0.0});
+    input.jacobian.reset();
+    EXPECT_EQ(run(chain, input).force_D, Force{});
+}
+
+/// The force that is borne forever warms to the rated rise, and from 70 % of it less is let
+/// through.
+TEST(ForceChainInputs, WithoutJointsHeatIsThatOfTheForce) {
+    ForceLimits limits = of_forces();
+    limits.warming_s = 0.5;
+    ForceChain chain = live_chain(limits);
+    EXPECT_NEAR(run(chain, wanting({1.2, 0.0}), 3000).force_D.x, 1.2, 1e-12);
+    EXPECT_NEAR(chain.motor_heat(), 1.2 * 1.2 / (1.8 * 1.8), 5e-3);
+    EXPECT_LT(run(chain, wanting({2.5, 0.0}), 3000).force_D.x, 1.8);
+    EXPECT_LT(chain.motor_heat(), 0.9);
+}
+
+TEST(ForceChainInputs, ThePlanesShareComesSlowlyOnceArmedAndGoesAtOnce) {
+    ForceChain chain(of_forces());
+    double before = 0.0;
+    for (int i = 0; i < 2000; ++i) {
+        const double share = chain.step(wanting({}), tick_s).plane_share;
+        const bool may_act = chain.state() == ForceState::ramp || chain.state() == ForceState::live;
+        ASSERT_TRUE(may_act || share == 0.0);
+        ASSERT_LE(share - before, 2.1e-3);
+        before = share;
+    }
+    EXPECT_DOUBLE_EQ(before, 1.0);
+    ChainInput fading = wanting({});
+    fading.is_fading = true;
+    EXPECT_DOUBLE_EQ(run(chain, fading).plane_share, 1.0) << "a picture is changed on the plane";
+    ChainInput softer = wanting({});
+    softer.ceiling_N = 1.5;
+    EXPECT_DOUBLE_EQ(chain.step(softer, tick_s).plane_share, 0.5);
+    softer.is_stopped = true;
+    EXPECT_EQ(chain.step(softer, tick_s).plane_share, 0.0);
+    ForceChain of_joints = live_chain();
+    EXPECT_EQ(run(of_joints, wanting({})).plane_share, 0.0);
+}
+
 /// A tenth of a newton is not less than a tenth.
 TEST(ForceChainInputs, ArmsBelowTheLimitAndNotAtIt) {
     ForceChain chain{ForceLimits{}};

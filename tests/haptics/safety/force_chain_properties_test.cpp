@@ -53,6 +53,7 @@ ChainInput any_input() {
     const auto ordinary = [](double most) { return most * *rc::gen::inRange(-1000, 1001) / 1000; };
     ChainInput input;
     input.wanted_D = is_odd() ? Force{any_double(), any_double()} : Force{ordinary(5), ordinary(5)};
+    input.is_placed = !is_odd();
     if (!is_odd()) input.jacobian = any_jacobian();
     if (is_odd()) input.p_D = {any_double(), any_double()};
     input.velocity_D =
@@ -65,12 +66,12 @@ ChainInput any_input() {
 }
 
 bool is_zero(const SafeForce& out) {
-    return out.force_D == Force{} && out.torques == JointTorques{};
+    return out.force_D == Force{} && out.torques == JointTorques{} && out.plane_share == 0.0;
 }
 
-RC_GTEST_PROP(ForceChainProperties, AnyDoublesGiveFiniteForcesWithinEveryLimit, ()) {
-    const ForceLimits limits;
-    ForceChain chain = live_chain();
+/// Steps a live chain through hostile inputs.
+void stay_within(const ForceLimits& limits) {
+    ForceChain chain = live_chain(limits);
     Force last;
     for (int tick = 0; tick < 20; ++tick) {
         const double dt_s = *rc::gen::inRange(0, 10) == 0 ? any_double() : tick_s;
@@ -85,16 +86,27 @@ RC_GTEST_PROP(ForceChainProperties, AnyDoublesGiveFiniteForcesWithinEveryLimit, 
         RC_ASSERT(growth <= 0.0 || growth <= limits.rise_N_per_s * dt_s + 1e-12);
         const bool is_fast = is_finite(input.velocity_D) && norm(input.velocity_D) > 1.0;
         RC_ASSERT(!is_fast || dot(out.force_D, input.velocity_D) <= 0.0);
-        if (!input.jacobian || !is_finite(input.wanted_D) || !std::isfinite(dt_s))
+        const bool is_known = input.is_placed && (limits.continuous_N || input.jacobian);
+        if (!is_known || !is_finite(input.wanted_D) || !std::isfinite(dt_s))
             RC_ASSERT(is_zero(out));
+        if (limits.continuous_N) RC_ASSERT(out.torques == JointTorques{});
+        RC_ASSERT(out.plane_share >= 0.0 && out.plane_share <= 1.0);
         if (chain.state() == ForceState::fault) RC_ASSERT(is_zero(out));
         last = out.force_D;
         // Faults end, so that there is force to limit.
         if (chain.state() == ForceState::fault && *rc::gen::inRange(0, 2) == 0) {
-            chain = live_chain();
+            chain = live_chain(limits);
             last = {};
         }
     }
+}
+
+RC_GTEST_PROP(ForceChainProperties, AnyDoublesGiveFiniteForcesWithinEveryLimit, ()) {
+    stay_within({});
+}
+
+RC_GTEST_PROP(ForceChainProperties, SoTheyDoWithADeviceThatTakesForces, ()) {
+    stay_within(of_forces());
 }
 
 RC_GTEST_PROP(ForceChainProperties, ScalingKeepsTheDirectionAndTorquesAreThoseOfTheForce, ()) {

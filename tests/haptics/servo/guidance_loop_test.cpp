@@ -51,8 +51,7 @@ struct Loop {
 
     const HandState& tick() {
         const double now_s = tick_s * static_cast<double>(ticks++);
-        (void)device->write_torques(
-            step->step({now_s, 0, device->read_angles(now_s), commands, scene.get()}));
+        (void)device->write(step->step({now_s, 0, device->read(now_s), commands, scene.get()}));
         const HandState& state = step->report().hand;
         if (is_relaxed) hand->follow(state.p_WH);
         most_N = std::max(most_N, norm(state.force));

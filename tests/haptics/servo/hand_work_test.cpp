@@ -46,8 +46,7 @@ struct HeldLoop {
             if (is_asking && ticks % 5000 == 0)
                 commands.pattern = {HandlePattern::time_out, commands.pattern.serial + 1};
             const double now_s = tick_s * static_cast<double>(ticks);
-            (void)device.write_torques(
-                step->step({now_s, 0, device.read_angles(now_s), commands, scene.get()}));
+            (void)device.write(step->step({now_s, 0, device.read(now_s), commands, scene.get()}));
             furthest_m = std::max(furthest_m, norm(device.tip().position - from));
         }
     }

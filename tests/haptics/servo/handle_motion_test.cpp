@@ -1,5 +1,6 @@
 #include "haptics/servo/handle_motion.h"
 
+#include "tests/haptics/servo/rigs.h"
 #include "tests/haptics/tick.h"
 
 #include <cmath>
@@ -77,6 +78,47 @@ TEST(VelocityEstimate, NonsenseIsRestAndForgetsWhatWasBefore) {
     EXPECT_EQ(estimate.step({std::numeric_limits<double>::quiet_NaN(), 0.0}, tick_s), Velocity{});
     EXPECT_EQ(estimate.step({0.5, 0.0}, tick_s), Velocity{});
     EXPECT_EQ(estimate.step({0.5, 0.0}, 0.0), Velocity{});
+}
+
+/// Moves at 0.2 m/s along x in W, and lets the device tell `factor` times that.
+Velocity believed(double factor) {
+    const DeviceProfile& profile = cartesian_profiles().front();
+    HandleMotion motion(profile);
+    Velocity last;
+    for (int i = 0; i < 100; ++i) {
+        StepInput input;
+        input.reading.emplace();
+        input.reading->p_D = device_from_picture(profile, {0.2e-3 * i - 0.01, 0.0});
+        input.reading->velocity_D = turned(Velocity{0.2 * factor, 0.0});
+        last = motion.step(profile, input, std::nullopt, tick_s, tick_s).velocity;
+    }
+    return last;
+}
+
+TEST(HandleMotion, ADevicesOwnVelocityIsTakenAsFarAsItsPlacesBearItOut) {
+    EXPECT_NEAR(believed(1.0).x, 0.2, 1e-6);
+    EXPECT_NEAR(believed(1.2).x, 0.24, 1e-12) << "finer than what the places say";
+    EXPECT_NEAR(believed(0.8).x, 0.16, 1e-12);
+}
+
+TEST(HandleMotion, AVelocityThatLiesIsNotBelieved) {
+    constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
+    for (const double factor : {10.0, 2.0, 0.0, -1.0, nan_value})
+        EXPECT_NEAR(believed(factor).x, 0.2, 1e-3) << factor;
+}
+
+TEST(HandleMotion, APlaceNeedsNoJacobianAndJointsWithoutAPlaceAreNone) {
+    const DeviceProfile& profile = cartesian_profiles().front();
+    HandleMotion motion(profile);
+    StepInput input;
+    input.reading.emplace();
+    EXPECT_FALSE(motion.step(profile, input, std::nullopt, tick_s, tick_s).is_placed);
+    input.reading->p_D = profile.centre;
+    const HandleReading handle = motion.step(profile, input, std::nullopt, tick_s, tick_s);
+    EXPECT_TRUE(handle.is_placed);
+    EXPECT_FALSE(handle.jacobian.has_value());
+    EXPECT_EQ(handle.p_WH, Position{});
+    EXPECT_EQ(handle.silent_s, 0.0);
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ struct Held {
         bench.input.scene = scene.get();
         bench.input.commands.shape = shape;
         bench.input.commands.has_frame = false;
-        if (of.handle) bench.input.handle_rad = 0.0;
+        if (of.handle) bench.handle_rad = 0.0;
         bench.place({0.0, 0.02});
         bench.run(1000);
         EXPECT_EQ(bench.force().state, ForceState::live);
@@ -76,30 +76,30 @@ TEST(HeldShape, KeysTurnItSlowlyAndALineFeelsLikeATwist) {
     EXPECT_LE(hand.angle_rad, hand.proxy_angle_rad + 0.36);
     EXPECT_LT(hand.torque_Nm, -3e-3);
     EXPECT_GT(hand.p_WP.y, 0.005);
-    EXPECT_EQ(held.bench.step->handle_torque_Nm(), 0.0);  // there is no motor to tell it to
+    EXPECT_EQ(held.bench.told.handle_Nm, 0.0);  // there is no motor to tell it to
 }
 
 TEST(HeldShape, AMotorAtTheHandleTellsItsTorque) {
     Held held(HeldShape::bar, turning());
     held.bench.drag({0.0, 0.02}, {0.0, 0.005});
     for (int i = 0; i < 600; ++i) {
-        held.bench.input.handle_rad = 1e-3 * i;
+        held.bench.handle_rad = 1e-3 * i;
         (void)held.bench.run(1);
     }
     (void)held.bench.run(200);
     const HandState& hand = held.bench.hand();
     EXPECT_NEAR(hand.angle_rad, 0.599, 1e-12);
     EXPECT_LT(hand.torque_Nm, -1e-3);
-    EXPECT_NEAR(held.bench.step->handle_torque_Nm(), hand.torque_Nm, 1e-3);
+    EXPECT_NEAR(held.bench.told.handle_Nm, hand.torque_Nm, 1e-3);
 }
 
 TEST(HeldShape, AnAngleThatIsNoNumberIsAFaultWithoutForce) {
     Held held(HeldShape::bar, turning());
     held.bench.drag({0.0, 0.02}, {0.0, 0.001});
-    held.bench.input.handle_rad = std::numeric_limits<double>::quiet_NaN();
+    held.bench.handle_rad = std::numeric_limits<double>::quiet_NaN();
     (void)held.bench.run(1);
-    EXPECT_EQ(held.bench.torques, JointTorques{});
-    EXPECT_EQ(held.bench.step->handle_torque_Nm(), 0.0);
+    EXPECT_EQ(held.bench.told.torques, JointTorques{});
+    EXPECT_EQ(held.bench.told.handle_Nm, 0.0);
     EXPECT_EQ(held.bench.force().fault, Fault::not_finite);
     EXPECT_TRUE(std::isfinite(held.bench.hand().angle_rad));
 }

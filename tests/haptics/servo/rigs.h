@@ -2,7 +2,7 @@
 #pragma once
 
 #include "haptics/collision/scene.h"
-#include "haptics/device/force_device.h"
+#include "haptics/device/joint_device.h"
 #include "haptics/pantograph/profile.h"
 #include "haptics/servo/real_time.h"
 
@@ -32,10 +32,16 @@ inline JointAngles angles_at(const DeviceProfile& profile, Position p_W) {
     return inverse(profile.geometry, device_from_picture(profile, p_W)).value();
 }
 
+/// Returns what a five-bar tells whose handle is at p_W.
+inline DeviceReading reading_at(const DeviceProfile& profile, Position p_W) {
+    return reading_of(profile.geometry, angles_at(profile, p_W));
+}
+
 /// A device whose handle is where the test puts it, and which remembers what it was told.
-class PlacedDevice final : public ForceDevice {
+class PlacedDevice final : public JointDevice {
   public:
-    explicit PlacedDevice(Position p_W) : angles(angles_at(default_profile(), p_W)) {}
+    explicit PlacedDevice(Position p_W)
+        : JointDevice(default_profile().geometry), angles(angles_at(default_profile(), p_W)) {}
 
     [[nodiscard]] std::optional<JointAngles> read_angles(double /*now_s*/) override {
         return angles;

@@ -46,7 +46,7 @@ TEST(ServoFault, AHandleThatJumpedHasNoForceAndIsTrackedWhereItIs) {
     bench.place({0.02, -0.002});
     bench.run(4);
     EXPECT_EQ(bench.force().fault, Fault::position_jump);
-    EXPECT_EQ(bench.torques, JointTorques{});
+    EXPECT_EQ(bench.told.torques, JointTorques{});
     EXPECT_NEAR(norm(bench.hand().p_WH - Position{0.02, -0.002}), 0.0, 1e-9);
     EXPECT_FALSE(comes_back(bench));
     ++bench.input.commands.faults_cleared;
@@ -65,7 +65,7 @@ TEST(ServoFault, ContactAndEventsGoOnWithoutForce) {
         bench.run(1);
         for (const ContactEvent& event : bench.step->events())
             made += event.kind == ContactEventKind::contact_made ? 1 : 0;
-        ASSERT_EQ(bench.torques, JointTorques{});
+        ASSERT_EQ(bench.told.torques, JointTorques{});
     }
     EXPECT_EQ(made, 1);
     EXPECT_EQ(bench.hand().state, ContactState::edge);
@@ -77,7 +77,7 @@ TEST(ServoFault, TheEmergencyStopIsZeroAtOnceUntilItIsReleasedAndCleared) {
     Bench bench = pressing_bench(scene);
     bench.input.commands.is_emergency_stop = true;
     bench.run(1);
-    EXPECT_EQ(bench.torques, JointTorques{});
+    EXPECT_EQ(bench.told.torques, JointTorques{});
     ++bench.input.commands.faults_cleared;
     EXPECT_FALSE(comes_back(bench));
     bench.input.commands.is_emergency_stop = false;
@@ -89,7 +89,7 @@ TEST(ServoFault, TheEmergencyStopIsZeroAtOnceUntilItIsReleasedAndCleared) {
 TEST(ServoFault, ALostDeviceThatIsBackIsArmedByItself) {
     const auto scene = line_scene(0.0);
     Bench bench = pressing_bench(scene);
-    bench.input.angles.reset();
+    bench.input.reading.reset();
     bench.run(25);
     EXPECT_EQ(bench.force().fault, Fault::device_lost);
     bench.place({0.0, -0.001});
@@ -111,9 +111,10 @@ TEST(ServoFault, RefusedTorquesAreALostDeviceUntilTheyAreTaken) {
 TEST(ServoFault, AnglesThatAreNoNumbersAreAFaultForTheOperator) {
     const auto scene = line_scene(0.0);
     Bench bench = pressing_bench(scene);
-    bench.input.angles = JointAngles{std::numeric_limits<double>::quiet_NaN(), 0.2};
+    bench.input.reading = reading_of(bench.profile.geometry,
+                                     JointAngles{std::numeric_limits<double>::quiet_NaN(), 0.2});
     bench.run(1);
-    EXPECT_EQ(bench.torques, JointTorques{});
+    EXPECT_EQ(bench.told.torques, JointTorques{});
     EXPECT_EQ(bench.force().fault, Fault::not_finite);
     bench.place({0.0, -0.001});
     EXPECT_FALSE(comes_back(bench));
@@ -126,7 +127,7 @@ TEST(ServoFault, ForceSwitchedOffIsGoneAtOnceAndComesBackByArming) {
     Bench bench = pressing_bench(scene);
     bench.input.commands.is_force_wanted = false;
     bench.run(2);
-    EXPECT_EQ(bench.torques, JointTorques{});
+    EXPECT_EQ(bench.told.torques, JointTorques{});
     EXPECT_EQ(bench.force().state, ForceState::off);
     bench.input.commands.is_force_wanted = true;
     bench.run(1000);

@@ -28,7 +28,7 @@ TEST(ServoStep, SeesTheHandleThroughTheKinematics) {
     bench.place({0.031, -0.022});
     EXPECT_NEAR(norm(bench.run(1).p_WH - Position{0.031, -0.022}), 0.0, 1e-12);
     EXPECT_EQ(bench.hand().p_WP, bench.hand().p_WH);
-    EXPECT_EQ(bench.torques, JointTorques{});
+    EXPECT_EQ(bench.told.torques, JointTorques{});
 }
 
 TEST(ServoStep, WallPushesBackThroughTheMotors) {
@@ -43,9 +43,9 @@ TEST(ServoStep, WallPushesBackThroughTheMotors) {
     EXPECT_NEAR(hand.force.x, 0.0, 1e-9);
     EXPECT_EQ(bench.force().limit, Limit::none);
     // The motors make that force, turned into the device's frame.
-    const Pose pose = forward(bench.profile.geometry, *bench.input.angles).value();
+    const Pose pose = forward(bench.profile.geometry, bench.input.reading->joints).value();
     const JointTorques expected = joint_torques(pose.jacobian, turned(hand.force));
-    EXPECT_NEAR(norm(bench.torques - expected), 0.0, 1e-12);
+    EXPECT_NEAR(norm(bench.told.torques - expected), 0.0, 1e-12);
 }
 
 TEST(ServoStep, ReportsWhatItWasTold) {
@@ -358,8 +358,8 @@ double gain_after_pressing(double delay_s) {
     ServoCommands commands;
     commands.contact.stiffness_N_per_m = 900.0;
     for (int i = 0; i < 4000; ++i) {
-        const StepInput input{tick_s * i, 0, device.read_angles(tick_s * i), commands, scene.get()};
-        EXPECT_TRUE(device.write_torques(step.step(input)));
+        const StepInput input{tick_s * i, 0, device.read(tick_s * i), commands, scene.get()};
+        EXPECT_TRUE(device.write(step.step(input)));
     }
     return step.report().hand.spring_gain;
 }
@@ -387,7 +387,7 @@ TEST(ServoStep, ATierLeavesItsShareOfTheStiffnessAndTellsIt) {
     const TierLimits tier = limits_of(RealTimeTier::best_effort);
     ServoStep step(default_profile(), tick_s, tier);
     StepInput input;
-    input.angles = default_profile().home;
+    input.reading = reading_of(default_profile().geometry, default_profile().home);
     (void)step.step(input);
     const HandState& hand = step.report().hand;
     EXPECT_EQ(hand.stiffness_bound.share, tier.stiffness_share);
@@ -418,10 +418,11 @@ TEST(ServoStep, OutOfReachIsZeroForceAndKeepsTheSideOfTheWall) {
     Bench bench = bench_above_a_line(scene);
     bench.drag({0.0, 0.01}, {0.0, -0.001});
     bench.run(20);
-    bench.input.angles = with_elbow_turned_in(bench.profile, {0.0, -0.001});
+    bench.input.reading =
+        reading_of(bench.profile.geometry, with_elbow_turned_in(bench.profile, {0.0, -0.001}));
     const Position before = bench.hand().p_WH;
     bench.run(1);
-    EXPECT_EQ(bench.torques, JointTorques{});
+    EXPECT_EQ(bench.told.torques, JointTorques{});
     EXPECT_EQ(bench.force().limit, Limit::unreachable);
     EXPECT_EQ(bench.hand().p_WH, before);
     bench.place({0.0, -0.001});
@@ -433,16 +434,16 @@ TEST(ServoStep, SilentDeviceIsZeroAtOnceAndAFaultAfter20Milliseconds) {
     const auto scene = line_scene(0.0);
     Bench bench = bench_above_a_line(scene);
     bench.drag({0.0, 0.01}, {0.0, -0.001});
-    bench.input.angles.reset();
+    bench.input.reading.reset();
     bench.run(1);
-    EXPECT_EQ(bench.torques, JointTorques{});
+    EXPECT_EQ(bench.told.torques, JointTorques{});
     EXPECT_EQ(bench.force().state, ForceState::live);
     bench.run(21);
     EXPECT_EQ(bench.force().state, ForceState::fault);
     EXPECT_EQ(bench.force().fault, Fault::device_lost);
     bench.place({0.0, -0.001});
     bench.run(2000);
-    EXPECT_EQ(bench.torques, JointTorques{});
+    EXPECT_EQ(bench.told.torques, JointTorques{});
 }
 
 TEST(ServoStep, AnglesThatAreNotFiniteGiveZeroTorque) {
@@ -451,9 +452,9 @@ TEST(ServoStep, AnglesThatAreNotFiniteGiveZeroTorque) {
     bench.drag({0.0, 0.01}, {0.0, -0.001});
     for (const double bad : {std::numeric_limits<double>::quiet_NaN(), 1e308,
                              std::numeric_limits<double>::infinity()}) {
-        bench.input.angles = JointAngles{bad, 0.2};
+        bench.input.reading = reading_of(bench.profile.geometry, JointAngles{bad, 0.2});
         bench.run(1);
-        EXPECT_EQ(bench.torques, JointTorques{});
+        EXPECT_EQ(bench.told.torques, JointTorques{});
         EXPECT_TRUE(is_finite(bench.hand().p_WH));
     }
 }
@@ -474,7 +475,7 @@ TEST(ServoStep, CommandsThatAreNotFiniteGiveZeroForce) {
         }
         for (int i = 0; i < 200; ++i) {
             bench.run(1);
-            EXPECT_TRUE(is_finite(bench.torques)) << kind;
+            EXPECT_TRUE(is_finite(bench.told.torques)) << kind;
         }
     }
 }
@@ -490,7 +491,7 @@ TEST(ServoStep, FadesOutForGood) {
     const auto other = line_scene(0.005);
     bench.input.scene = other.get();
     bench.run(500);
-    EXPECT_EQ(bench.torques, JointTorques{});
+    EXPECT_EQ(bench.told.torques, JointTorques{});
 }
 
 }  // namespace

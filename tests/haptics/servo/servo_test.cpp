@@ -39,13 +39,13 @@ class WitnessedDevice final : public ForceDevice {
 
     ~WitnessedDevice() override { is_gone_ = true; }
 
-    [[nodiscard]] std::optional<JointAngles> read_angles(double now_s) override {
-        return inner_->read_angles(now_s);
+    [[nodiscard]] std::optional<DeviceReading> read(double now_s) override {
+        return inner_->read(now_s);
     }
 
-    [[nodiscard]] bool write_torques(JointTorques torques) override {
-        last_ = torques;
-        return inner_->write_torques(torques);
+    [[nodiscard]] bool write(const DeviceCommand& command) override {
+        last_ = command.torques;
+        return inner_->write(command);
     }
 
   private:

@@ -65,11 +65,11 @@ class CourseSession {
         for (int k = 0; k * tick_s < seconds; ++k) {
             input.now_s = k * tick_s;
             input.commands.contact.mode = static_cast<Mode>(k / 4000 % 4);
-            input.angles = device_.read_angles(input.now_s);
+            input.reading = device_.read(input.now_s);
             if (course_.is_wild) disturb(input);
-            const JointTorques torques = step_.step(input);
-            check(torques);
-            (void)device_.write_torques(torques);
+            const DeviceCommand command = step_.step(input);
+            check(command.torques);
+            (void)device_.write(command);
             if (testing::Test::HasFatalFailure()) return seen_;
         }
         return seen_;
@@ -77,10 +77,11 @@ class CourseSession {
 
   private:
     void disturb(StepInput& input) {
+        const Geometry& links = default_profile().geometry;
         input.commands.is_emergency_stop = random_() % 50'000 == 0;
-        if (random_() % 2000 == 0) input.angles.reset();
-        if (random_() % 3000 == 0) input.angles = JointAngles{2.0, 1.0};
-        if (random_() % 20'000 == 0) input.angles = JointAngles{NAN, 1.0};
+        if (random_() % 2000 == 0) input.reading.reset();
+        if (random_() % 3000 == 0) input.reading = reading_of(links, {2.0, 1.0});
+        if (random_() % 20'000 == 0) input.reading = reading_of(links, {NAN, 1.0});
         if (random_() % 1000 == 0) ++input.commands.faults_cleared;
     }
 
@@ -173,9 +174,9 @@ TEST(SessionLimits, AHandThatPushedFarBeyondAWallAndYieldsKeepsItsForce) {
     for (int k = 0; k < 6000; ++k) {
         StepInput input;
         input.now_s = k * tick_s;
-        input.angles = device.read_angles(input.now_s);
+        input.reading = device.read(input.now_s);
         input.scene = scene.get();
-        (void)device.write_torques(step.step(input));
+        (void)device.write(step.step(input));
         ASSERT_NE(step.report().force.state, ForceState::fault) << k;
         most_N = std::max(most_N, norm(step.report().hand.force));
     }

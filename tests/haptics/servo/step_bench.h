@@ -6,6 +6,7 @@
 #include "tests/haptics/tick.h"
 
 #include <memory>
+#include <optional>
 
 #include <gtest/gtest.h>
 
@@ -16,17 +17,19 @@ struct Bench {
     const DeviceProfile profile;
     std::unique_ptr<ServoStep> step = std::make_unique<ServoStep>(profile, tick_s);
     StepInput input;
-    JointTorques torques;
+    std::optional<double> handle_rad;  // if the handle turns
+    DeviceCommand told;
 
     explicit Bench(const DeviceProfile& of = default_profile()) : profile(of) {
         place({0.0, 0.01});
     }
 
-    void place(Position p_W) { input.angles = angles_at(profile, p_W); }
+    void place(Position p_W) { input.reading = reading_at(profile, p_W); }
 
     const HandState& run(int ticks) {
         for (int i = 0; i < ticks; ++i) {
-            torques = step->step(input);
+            if (input.reading) input.reading->handle_rad = handle_rad;
+            told = step->step(input);
             input.now_s += tick_s;
         }
         return hand();

@@ -59,7 +59,7 @@ class Upheaval {
             const double depth_m =
                 far_m + 0.0045 * std::sin(2.0 * std::numbers::pi * 0.7 * tick_s * i);
             const Position handle = (ring_m + depth_m) * Position{std::cos(angle), std::sin(angle)};
-            const StepInput input{tick_s * i, 0, angles_at(profile, handle), commands_, wanted_};
+            const StepInput input{tick_s * i, 0, reading_at(profile, handle), commands_, wanted_};
             (void)step.step(input);
             const HandState& hand = step.report().hand;
             const bool is_map_new = hand.map_version != last.map_version;

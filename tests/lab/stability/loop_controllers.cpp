@@ -1,5 +1,6 @@
 #include "tests/lab/stability/loop_controllers.h"
 
+#include "haptics/device/joint_device.h"
 #include "haptics/safety/force_chain.h"
 #include "haptics/servo/loop_settings.h"
 #include "haptics/servo/servo_step.h"
@@ -16,7 +17,7 @@ constexpr double penalty_band_m = 3e-3;  // the motors' 2 to 3 N at the default 
 class ShippedStep final : public LoopController {
   public:
     ShippedStep(const DeviceProfile& profile, const LoopParameters& parameters, const Scene& scene)
-        : servo_(profile, parameters.period_s) {
+        : links_(profile.geometry), servo_(profile, parameters.period_s) {
         input_.commands.contact.stiffness_N_per_m = parameters.stiffness_N_per_m;
         input_.commands.contact.radius_m = parameters.radius_m;
         input_.commands.is_level_auto = false;
@@ -26,15 +27,17 @@ class ShippedStep final : public LoopController {
     ControlOutput step(const ControlInput& input) override {
         input_.now_s = input.time_s;
         input_.missed_ticks = input.missed_ticks;
-        input_.angles = input.angles;
+        input_.reading.reset();
+        if (input.angles) input_.reading = reading_of(links_, *input.angles);
         input_.commands.level = input.level;
         if (input.scene != nullptr) input_.scene = input.scene;
-        const JointTorques torques = servo_.step(input_);
+        const JointTorques torques = servo_.step(input_).torques;
         const HandState& hand = servo_.report().hand;
         return {torques, hand.force, hand.p_WP, hand.spring_gain, hand.stiffness_N_per_m};
     }
 
   private:
+    Geometry links_;
     ServoStep servo_;
     StepInput input_;
 };

@@ -1,5 +1,5 @@
 // Tests touchline device, through libusb against the emulated board. Runs under umockdev-wrapper.
-#include "app/cli/commands.h"
+#include "app/force/backends/kiosk_backends.h"
 #include "app/force/device/board_files.h"
 #include "tests/app/force/device/person.h"
 #include "tests/machines/sim/umockdev/mocked_board.h"
@@ -73,7 +73,7 @@ struct Visit {
             person->hear(line, now_s);
         });
         std::ostream out(&lines);
-        const auto ended = run_device({action, "", std::string(default_profile().name)}, out);
+        const auto ended = command_device({action, "", std::string(default_profile().name)}, out);
         is_over = true;
         hand.join();
         return ended;
@@ -94,7 +94,7 @@ class DeviceCommand : public testing::Test {
     ~DeviceCommand() override { fs::remove(units_); }
 
     Result<void> run(DeviceAction action) {
-        return run_device({action, "", std::string(default_profile().name)}, out_);
+        return command_device({action, "", std::string(default_profile().name)}, out_);
     }
 
     static JointTorques held(MockedBoard& board) {
@@ -171,7 +171,7 @@ TEST_F(DeviceCommand, NudgeHomesAKnownUnitAndTellsWhetherTheMotorsHavePower) {
 TEST_F(DeviceCommand, TheKindOfANewUnitIsAskedAndNotAssumed) {
     MockedBoard board(usb_, {});
     for (const DeviceAction action : {DeviceAction::home, DeviceAction::nudge}) {
-        const auto ended = run_device({action, "", ""}, out_);
+        const auto ended = command_device({action, "", ""}, out_);
         ASSERT_FALSE(ended.has_value());
         EXPECT_NE(ended.error().line.find("which kind"), std::string::npos) << ended.error().line;
         EXPECT_NE(ended.error().line.find("2diy-gen3.1-172"), std::string::npos);

@@ -50,9 +50,10 @@ void do_mischief(Mischief mischief) {
     }
 }
 
-class FakeDevice final : public ForceDevice {
+class FakeDevice final : public JointDevice {
   public:
-    explicit FakeDevice(FakeBoard& board) : board_(board) {}
+    explicit FakeDevice(FakeBoard& board)
+        : JointDevice(default_profile().geometry), board_(board) {}
 
     [[nodiscard]] std::optional<JointAngles> read_angles(double /*now_s*/) override {
         ++board_.reads;

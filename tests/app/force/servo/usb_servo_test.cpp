@@ -77,7 +77,7 @@ class UsbServo : public testing::Test {
 };
 
 TEST_F(UsbServo, TheProgramItselfTakesTheBoardAndGivesItBackWithZeroTorque) {
-    start(TOUCHLINE_SERVO);
+    start(TOUCHLINE_SERVO, {"usb-board"});
     ASSERT_TRUE(frames_until([&] { return servo_->latest().ticks > 100; }));
     const auto home = forward(default_profile().geometry, default_profile().home).value();
     const Position home_W = picture_from_device(default_profile(), home.p_DH);

@@ -18,7 +18,7 @@ constexpr std::array let_go{Bridge::off, Bridge::off};
 template <class Machine>
 class MotorPantographOf : public testing::Test {};
 
-using Machines = testing::Types<MoteusMachine>;
+using Machines = testing::Types<MoteusMachine, OdriveMachine>;
 TYPED_TEST_SUITE(MotorPantographOf, Machines);
 
 template <class Machine>

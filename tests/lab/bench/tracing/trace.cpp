@@ -65,8 +65,8 @@ class Rig {
 
     const HandState& tick() {
         const double now_s = period_s * static_cast<double>(ticks_++);
-        const StepInput input{now_s, 0, device_.read_angles(now_s), commands, &scene_};
-        (void)device_.write_torques(servo_.step(input));
+        const StepInput input{now_s, 0, device_.read(now_s), commands, &scene_};
+        (void)device_.write(servo_.step(input));
         return servo_.report().hand;
     }
 

@@ -15,7 +15,7 @@ namespace touchline {
 
 /// The true state, whatever the host believes.
 struct DriveTruth {
-    DeviceProfile profile = find_profile("mk2").value();
+    DeviceProfile profile = open_five_bar();
     JointDrives drives;
     HandModel hand = normal_hand;
     bool have_motors_power = true;  // the bridges': the controllers live on

@@ -5,8 +5,10 @@
 #include "haptics/device/drives/motor_pantograph.h"
 #include "haptics/device/moteus/fdcanusb_link.h"
 #include "haptics/device/moteus/moteus_pair.h"
+#include "haptics/device/odrive/odrive_pair.h"
 #include "tests/machines/sim/drives/serial_peer.h"
 #include "tests/machines/sim/moteus/moteus_bus.h"
+#include "tests/machines/sim/odrive/odrive_board.h"
 
 #include <array>
 #include <memory>
@@ -50,6 +52,8 @@ class MoteusMachine {
 
     DrivePlant& plant() { return bus.plant(); }
 
+    [[nodiscard]] const DrivePlant& plant() const { return bus.plant(); }
+
     void switch_power(bool has_power) { bus.switch_power(has_power); }
 
     /// Something in the controller of motor 0 or 1 breaks.
@@ -59,6 +63,39 @@ class MoteusMachine {
 
     MoteusBus bus;
     FdcanusbEmulator adapter;
+};
+
+/// An ODrive with two axes.
+class OdriveMachine {
+  public:
+    using Truth = OdriveTruth;
+
+    static constexpr const char* name = "odrive";
+
+    static std::array<Truth, 2> units() { return {}; }
+
+    OdriveMachine(const DriveTruth& truth, const std::array<Truth, 2>& axes,
+                  std::shared_ptr<const IntendedPath> path)
+        : board(truth, axes, std::move(path)) {}
+
+    static std::unique_ptr<MotorPair> pair_over(std::unique_ptr<ByteLink> port) {
+        return std::make_unique<OdrivePair>(std::move(port), 0.25);
+    }
+
+    SerialPeer& peer() { return board; }
+
+    DrivePlant& plant() { return board.plant(); }
+
+    [[nodiscard]] const DrivePlant& plant() const { return board.plant(); }
+
+    void switch_power(bool has_power) { board.switch_power(has_power); }
+
+    /// Something in the axis of motor 0 or 1 breaks.
+    void fail(std::size_t motor) { board.fail(motor, 1U << 8U); }
+
+    static std::string fault_words() { return "encoder gave up"; }
+
+    OdriveBoard board;
 };
 
 template <class Machine>
@@ -128,6 +165,8 @@ class DriveRig {
     }
 
     [[nodiscard]] DrivePlant& plant() { return machine.plant(); }
+
+    [[nodiscard]] const DrivePlant& plant() const { return machine.plant(); }
 
     static constexpr double never = 1e9;
 

@@ -33,6 +33,8 @@ bool EmulatedSerial::takes_fault(LineFault fault) {
 }
 
 bool EmulatedSerial::write(std::span<const std::uint8_t> bytes) {
+    if (planned_ && writes_++ == planned_->at)
+        spoil(planned_->fault, planned_->span_s, planned_->seed);
     if (is_gone_ || is_spoilt(LineFault::full)) return false;
     written_.insert(written_.end(), bytes.begin(), bytes.end());
     peer_.advance_to(time_.now_s);

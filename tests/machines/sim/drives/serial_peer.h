@@ -6,6 +6,7 @@
 #include "haptics/device/serial/byte_link.h"
 #include "tests/machines/sim/board/emulated_link.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <optional>
@@ -60,10 +61,22 @@ class EmulatedSerial final : public ByteLink {
     /// From now on, for span_s if the fault lasts.
     void spoil(LineFault fault, double span_s = 0.0, std::uint64_t seed = 1);
 
+    /// The same from the write with this number on, counted from 0.
+    void spoil_write(std::size_t at, LineFault fault, double span_s = 0.0, std::uint64_t seed = 1) {
+        planned_ = Planned{at, fault, span_s, seed};
+    }
+
     /// All that was written, as lines.
     [[nodiscard]] const std::vector<std::uint8_t>& written() const { return written_; }
 
   private:
+    struct Planned {
+        std::size_t at = 0;
+        LineFault fault = LineFault::none;
+        double span_s = 0.0;
+        std::uint64_t seed = 1;
+    };
+
     [[nodiscard]] bool is_spoilt(LineFault fault) const {
         return fault_ == fault && time_.now_s <= until_s_;
     }
@@ -77,6 +90,8 @@ class EmulatedSerial final : public ByteLink {
     LineFault fault_ = LineFault::none;
     double until_s_ = 0.0;
     std::uint64_t seed_ = 1;
+    std::optional<Planned> planned_;
+    std::size_t writes_ = 0;
     std::deque<SentBytes> coming_;
     std::vector<std::uint8_t> written_;
 };

@@ -107,7 +107,7 @@ std::string ServiceEmulator::answer(std::string_view text) {
 }
 
 void ServiceEmulator::apply(Space force_N) {
-    if (force_N == applied_N_) return;
+    if (force_N == applied_N_ || (truth_.clings && force_N == Space{})) return;
     applied_N_ = force_N;
     told_.push_back({now_s_, force_N});
 }
@@ -135,16 +135,6 @@ std::string ServiceEmulator::frame(bool is_whole) const {
     json all{{"inverse3", std::move(arms)}, {"wireless_verse_grip", json::array()}};
     if (is_whole && truth_.has_session) all["session_id"] = 7;
     return all.dump();
-}
-
-void ServiceEmulator::put(Space place_m) {
-    level_.stop_at({place_m.x - truth_.centre_m.x, place_m.y - truth_.centre_m.y});
-    vertical_.stop_at({place_m.z - truth_.centre_m.z, 0.0});
-}
-
-void ServiceEmulator::grip(const HandModel& hand) {
-    level_.grip(hand);
-    vertical_.grip(hand);
 }
 
 Space ServiceEmulator::place_m() const {

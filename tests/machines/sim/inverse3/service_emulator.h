@@ -30,6 +30,7 @@ struct ServiceTruth {
     bool has_session = true;  // as services from 3.5 on
     /// From the last command to no force. The maker does not say how long.
     double idle_after_s = 0.1;
+    bool clings = false;  // it goes on applying the last force that is not zero, and says so
     Space centre_m{0.0, -0.13, 0.15};  // where the path's origin is
     HandModel hand = normal_hand;
     TipParameters tip;
@@ -71,11 +72,6 @@ class ServiceEmulator {
 
     /// The hand means to be this much above the path's plane.
     void lift(double height_m) { height_m_ = height_m; }
-
-    /// Sets the handle elsewhere at once, as no hand can.
-    void put(Space place_m);
-
-    void grip(const HandModel& hand);
 
     // What only a test can see.
 

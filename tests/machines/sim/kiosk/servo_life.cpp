@@ -15,9 +15,9 @@ constexpr double longest_absence_s = 2.0;  // of the device, as in the program
 }  // namespace
 
 /// The board, except for one angle that is NaN and for what a test breaks.
-class ServoLife::Device final : public ForceDevice {
+class ServoLife::Device final : public JointDevice {
   public:
-    explicit Device(ServoLife& life) : life_(life) {}
+    explicit Device(ServoLife& life) : JointDevice(life.board_->profile().geometry), life_(life) {}
 
     [[nodiscard]] std::optional<JointAngles> read_angles(double now_s) override {
         auto angles = life_.board_->read_angles(now_s);

@@ -77,9 +77,10 @@ class RigClock final : public Clock {
 };
 
 /// The driver, except for one reading that is NaN.
-class MaybeBroken final : public ForceDevice {
+class MaybeBroken final : public JointDevice {
   public:
-    explicit MaybeBroken(ForceDevice& device) : device_(device) {}
+    explicit MaybeBroken(JointDevice& device)
+        : JointDevice(default_profile().geometry), device_(device) {}
 
     [[nodiscard]] std::optional<JointAngles> read_angles(double now_s) override {
         auto angles = device_.read_angles(now_s);
@@ -95,7 +96,7 @@ class MaybeBroken final : public ForceDevice {
     bool is_next_broken = false;
 
   private:
-    ForceDevice& device_;
+    JointDevice& device_;
 };
 
 class Run {

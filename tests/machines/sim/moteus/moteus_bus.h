@@ -35,6 +35,8 @@ class MoteusBus {
 
     [[nodiscard]] DrivePlant& plant() { return plant_; }
 
+    [[nodiscard]] const DrivePlant& plant() const { return plant_; }
+
     [[nodiscard]] MoteusController& unit(std::size_t motor) { return units_[motor]; }
 
   private:

@@ -23,9 +23,9 @@ namespace {
 constexpr std::array<std::size_t, 9> bounds_us{20, 50, 100, 200, 500, 1000, 2000, 5000, 10000};
 
 /// The driver on an emulated board in this process, in real time.
-class BoardInProcess final : public ForceDevice {
+class BoardInProcess final : public JointDevice {
   public:
-    BoardInProcess() {
+    BoardInProcess() : JointDevice(default_profile().geometry) {
         if (!rig_.driver->open()) std::abort();
         start_s_ = rig_.time.now_s;
     }

@@ -22,7 +22,8 @@ Result<ZeroedBoard> zero_by_guard(SoakBoard& soak) {
     return ZeroedBoard::unknown;
 }
 
-Result<KioskServo> start_soaked_servo(const std::shared_ptr<MouseHand>& /*hand*/) {
+Result<KioskServo> start_soaked_servo(const std::shared_ptr<MouseHand>& /*hand*/,
+                                      const Settings& /*settings*/) {
     const std::string path = environment(soak_board_variable);
     SoakBoard& soak = mapped<SoakBoard>(path);
     KioskServo servo;

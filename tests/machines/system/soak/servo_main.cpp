@@ -36,9 +36,12 @@ class RoundTrip final : public IntendedPath {
     double time_s_ = 0.0;
 };
 
-class SoakDevice final : public ForceDevice {
+class SoakDevice final : public JointDevice {
   public:
-    explicit SoakDevice(SoakBoard& soak) : soak_(soak), pantograph_(default_profile(), {}, hand_) {}
+    explicit SoakDevice(SoakBoard& soak)
+        : JointDevice(default_profile().geometry),
+          soak_(soak),
+          pantograph_(default_profile(), {}, hand_) {}
 
     [[nodiscard]] std::optional<JointAngles> read_angles(double now_s) override {
         constexpr double tick_s = 1e-3;

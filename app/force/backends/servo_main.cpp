@@ -1,7 +1,7 @@
 // touchline-servo. The kiosk starts it with its socket and device; or systemd does, for a kiosk
 // that asks at its socket and names the device there.
+#include "app/force/backends/servo_backends.h"
 #include "app/force/servo/servo_program.h"
-#include "app/force/servo/usb_device.h"
 
 #include <charconv>
 #include <cstdio>
@@ -17,14 +17,11 @@ int main(int argc, char** argv) {
         (void)std::from_chars(text.data(), text.data() + text.size(), socket);
     }
     const auto words = std::span(arguments).subspan(arguments.empty() ? 0 : 1);
-    if (socket < 0 || (!words.empty() && !touchline::device_of(words))) {
+    if (socket < 0 || (!words.empty() && !touchline::names_device(words))) {
         std::fprintf(stderr, "touchline-servo: the kiosk starts it by itself; use 'touchline'\n");
         return 2;
     }
     return touchline::run_servo_program(socket, [words](const touchline::Opening& opening) {
-        const std::span<const std::string> named = words.empty() ? opening.words : words;
-        return touchline::device_of(named).and_then([&opening](const touchline::UsbDevice& device) {
-            return touchline::open_usb_device(device, opening);
-        });
+        return touchline::open_named_device(words.empty() ? opening.words : words, opening);
     });
 }

@@ -1,4 +1,4 @@
-#include "app/cli/commands.h"
+#include "app/force/backends/usb_board.h"
 #include "app/force/device/board_files.h"
 #include "app/force/device/device_words.h"
 #include "app/force/device/procedures.h"
@@ -199,11 +199,11 @@ Result<void> stop_board(const UsbBoards& usb, const FoundBoard& board, const Dev
 }
 
 /// Stops every board that the kiosk might have driven, or the named one.
-Result<void> stop(const DeviceCommandOptions& options, std::ostream& out) {
+CommandEnd stop(const DeviceCommandOptions& options, std::ostream& out) {
     const auto settings = settings_to_stop_by();
-    if (!settings) return tl::unexpected(settings.error());
+    if (!settings) return {false, tl::unexpected(settings.error())};
     const auto usb = UsbBoards::create();
-    if (!usb) return tl::unexpected(usb.error());
+    if (!usb) return {false, tl::unexpected(usb.error())};
     Result<void> worst;
     bool was_any = false;
     for (const FoundBoard& board : usb->list(settings->boards)) {
@@ -215,16 +215,11 @@ Result<void> stop(const DeviceCommandOptions& options, std::ostream& out) {
         const DeviceProfile profile = profile_of(*settings, board);
         if (auto stopped = stop_board(*usb, board, profile, out); !stopped) worst = stopped;
     }
-    if (was_any) return worst;
-    return usb->find(settings->boards, options.serial).map([](const FoundBoard&) {});
+    if (was_any) return {true, worst};
+    return {false, usb->find(settings->boards, options.serial).map([](const FoundBoard&) {})};
 }
 
-}  // namespace
-
-Result<void> run_device(const DeviceCommandOptions& options, std::ostream& out) {
-    if (options.action == DeviceAction::list) return list(out);
-    catch_signals();
-    if (options.action == DeviceAction::stop) return stop(options, out);
+Result<void> with_unit(const DeviceCommandOptions& options, std::ostream& out) {
     auto unit = take(options, out);
     if (!unit) return tl::unexpected(unit.error());
     switch (options.action) {
@@ -235,6 +230,15 @@ Result<void> run_device(const DeviceCommandOptions& options, std::ostream& out) 
         default:
             return nudge_unit(*unit, out);
     }
+}
+
+}  // namespace
+
+CommandEnd command_usb_board(const DeviceCommandOptions& options, std::ostream& out) {
+    if (options.action == DeviceAction::list) return {true, list(out)};
+    catch_signals();
+    if (options.action == DeviceAction::stop) return stop(options, out);
+    return {true, with_unit(options, out)};
 }
 
 }  // namespace touchline

@@ -1,0 +1,32 @@
+// Holds the handle of a device with three axes to the drawing plane by a spring of its own, which
+// the force chain does not see, and takes the force in the plane away where the handle is off it: a
+// line is felt on the plane alone. Threads: values and pure functions. O(1).
+#pragma once
+
+#include "config/types/vec2.h"
+
+namespace touchline {
+
+struct PlaneSpring {
+    double stiffness_N_per_m = 400.0;  // > 0
+    double damping_Ns_per_m = 2.0;     // >= 0
+    double most_N = 1.5;               // of the spring and its damping, > 0
+    double limit_N = 3.0;              // of both forces together: the device's, > 0
+    double on_plane_m = 0.004;         // all of the plane's force up to here, either side ...
+    double off_plane_m = 0.010;        // ... none from here on, > on_plane_m
+};
+
+struct PlaneForce {
+    Force in_plane_D;
+    double across_N = 0.0;  // along the plane's normal, on the hand
+};
+
+/// Returns what the device is to make of the force that the chain told, for a handle `off_m` from
+/// the plane along its normal, at `speed_m_per_s` away from there. `share` is
+/// DeviceCommand::plane_share. |across| <= share * most_N, and both together are at most limit_N:
+/// the plane's force gives way. At a share of 0 nothing acts across. A number that is not finite,
+/// or a share outside 0 ... 1, gives no force at all.
+[[nodiscard]] PlaneForce held_to_plane(const PlaneSpring& spring, Force told_D, double off_m,
+                                       double speed_m_per_s, double share);
+
+}  // namespace touchline

@@ -1,0 +1,301 @@
+// What every device promises the servo, whatever its protocol: order, units, signs, limits, zero,
+// loss and reconnection. Written once and run for each row of rigs.cpp.
+#include "haptics/device/joint_device.h"
+#include "tests/haptics/device/conformance/device_rig.h"
+#include "tests/haptics/tick.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <ostream>
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+
+/// For the names of the cases.
+void PrintTo(const RigRow& row, std::ostream* out) {
+    *out << row.name;
+}
+
+namespace {
+
+constexpr Force right{1.0, 0.0};
+constexpr std::array<Force, 4> four_ways{Force{1.0, 0.0}, Force{-1.0, 0.0}, Force{0.0, 1.0},
+                                         Force{0.0, -1.0}};
+
+class Conformance : public testing::TestWithParam<RigRow> {
+  protected:
+    void SetUp() override {
+        rig_ = GetParam().make();
+        ASSERT_NE(rig_, nullptr);
+    }
+
+    [[nodiscard]] const RigPromises& promises() const { return GetParam().promises; }
+
+    [[nodiscard]] DeviceRig& rig() { return *rig_; }
+
+    void open() { ASSERT_TRUE(rig_->open()); }
+
+    /// The command that pushes with `force_D` at the place that was read, as the servo makes it.
+    [[nodiscard]] DeviceCommand command_of(Force force_D, const DeviceReading& at) const {
+        if (!has_joints(rig_->profile())) return {force_D, {}, 0.0};
+        if (!at.jacobian) return {};
+        return {{}, joint_torques(*at.jacobian, force_D), 0.0};
+    }
+
+    /// A command that is not zero, wherever the handle is.
+    [[nodiscard]] DeviceCommand push() const {
+        if (!has_joints(rig_->profile())) return {right, {}, 0.0};
+        return {{}, {0.05, 0.05}, 0.0};
+    }
+
+    /// One tick of the servo: zero where nothing is known.
+    std::optional<DeviceReading> tick(Force wanted_D = {}) {
+        rig_->pass(tick_s);
+        const auto told = rig_->device().read(rig_->now_s());
+        const bool is_placed = told && told->p_D;
+        is_taken_ = rig_->device().write(is_placed ? command_of(wanted_D, *told) : DeviceCommand{});
+        return told;
+    }
+
+    std::optional<DeviceReading> tick_for(double span_s, Force wanted_D = {}) {
+        std::optional<DeviceReading> last;
+        const int ticks = static_cast<int>(std::lround(span_s / tick_s));
+        for (int i = 0; i < ticks; ++i) last = tick(wanted_D);
+        return last;
+    }
+
+    /// Holds the hand at the middle of the area, so that forces move it little.
+    void settle() {
+        rig_->move_hand(rig_->profile().centre);
+        (void)tick_for(1.0);
+    }
+
+    /// Writes zero every tick until the device holds it; returns how long that took.
+    [[nodiscard]] double time_to_zero_s() {
+        for (int i = 0; i < 200; ++i) {
+            (void)tick();
+            if (rig_->holds_zero()) return i * tick_s;
+            EXPECT_FALSE(is_taken_ && promises().has_motors) << "it says zero before it is";
+        }
+        return std::numeric_limits<double>::infinity();
+    }
+
+    std::unique_ptr<DeviceRig> rig_;
+    bool is_taken_ = false;
+};
+
+TEST_P(Conformance, TellsWhereTheHandleIsInMetresAndTheDevicesFrame) {
+    open();
+    const Area area = rig().profile().area;
+    for (const Position step : {Position{0.3, 0.0}, Position{-0.3, 0.2}, Position{0.0, -0.3}}) {
+        const Position there{step.x * area.width_m, step.y * area.height_m};
+        rig().move_hand(rig().profile().centre + there);
+        const auto told = tick_for(1.5);
+        ASSERT_TRUE(told && told->p_D);
+        EXPECT_LT(norm(*told->p_D - rig().true_p_D()), promises().place_m);
+        EXPECT_LT(norm(*told->p_D - rig().profile().centre - there), 5e-3) << "where the hand is";
+    }
+}
+
+TEST_P(Conformance, HasJointsOrHasNoneAsItsProfileSays) {
+    open();
+    settle();
+    const auto told = tick();
+    ASSERT_TRUE(told && told->p_D);
+    EXPECT_EQ(told->jacobian.has_value(), has_joints(rig().profile()));
+    if (!told->jacobian) return;
+    const auto of_joints = reading_of(rig().profile().geometry, told->joints).p_D;
+    EXPECT_LT(norm(of_joints.value() - *told->p_D), 1e-12);
+}
+
+TEST_P(Conformance, WhatItTellsIsFresh) {
+    open();
+    settle();
+    const Position to = rig().profile().centre + Position{0.02, 0.01};
+    rig().move_hand(to);
+    Position before = rig().true_p_D();
+    for (int i = 0; i < 500; ++i) {
+        const auto told = tick();
+        ASSERT_TRUE(told && told->p_D) << i;
+        const double speed_m_per_s = norm(rig().true_p_D() - before) / tick_s;
+        before = rig().true_p_D();
+        // What the speed was meanwhile is known to a tick.
+        const double moved_m = speed_m_per_s * (promises().fresh_s + tick_s) + 5e-4;
+        ASSERT_LT(norm(*told->p_D - rig().true_p_D()), moved_m + promises().place_m) << i;
+    }
+}
+
+TEST_P(Conformance, ItsOwnVelocityIsThatOfItsPlaces) {
+    open();
+    settle();
+    rig().move_hand(rig().profile().centre + Position{0.02, -0.01});
+    (void)tick_for(0.05);
+    const auto early = tick();
+    ASSERT_TRUE(early && early->p_D);
+    if (!early->velocity_D) return;  // it measures none
+    const auto late = tick_for(0.01);
+    ASSERT_TRUE(late && late->p_D && late->velocity_D);
+    const auto seen = along<Velocity>(*late->p_D - *early->p_D, 1.0 / 0.01);
+    EXPECT_GT(norm(seen), 0.02) << "the hand moves";
+    EXPECT_LT(norm(*late->velocity_D - seen), 0.05 + 0.25 * norm(seen));
+}
+
+TEST_P(Conformance, PushesWithTheForceInNewtonsAndItsDirection) {
+    open();
+    settle();
+    for (const Force wanted : four_ways) {
+        (void)tick_for(0.1, wanted);
+        const Force made = rig().true_force_D();
+        EXPECT_LT(norm(made - wanted), promises().force_share + promises().force_N)
+            << wanted.x << ", " << wanted.y;
+    }
+}
+
+TEST_P(Conformance, TheHandleGoesWhereItIsPushed) {
+    open();
+    for (const Force wanted : four_ways) {
+        settle();
+        const Position before = rig().true_p_D();
+        const auto told = tick_for(0.2, wanted);
+        ASSERT_TRUE(told && told->p_D);
+        EXPECT_GT(dot(rig().true_p_D() - before, wanted), 1e-4);
+        EXPECT_GT(dot(*told->p_D - before, wanted), 1e-4 - promises().place_m);
+    }
+}
+
+TEST_P(Conformance, ACommandActsUntilTheNextAndNotBeforeItIsWritten) {
+    open();
+    settle();
+    EXPECT_TRUE(rig().holds_zero());
+    (void)tick_for(0.05, right);
+    EXPECT_FALSE(rig().holds_zero());
+    const Force first = rig().true_force_D();
+    (void)tick_for(0.05, -right);
+    EXPECT_LT(dot(first, rig().true_force_D()), 0.0);
+}
+
+TEST_P(Conformance, NoForceIsAboveTheDevicesLimitAndItsDirectionStays) {
+    open();
+    settle();
+    for (const double wanted_N : {5.0, 100.0, 1e9}) {
+        (void)tick_for(0.02, {wanted_N, 0.0});
+        const Force made = rig().true_force_D();
+        EXPECT_GT(made.x, 0.0) << wanted_N;
+        EXPECT_LT(std::abs(made.y), 0.1 * made.x + promises().force_N) << wanted_N;
+        // Of a five-bar the chain bounds the force, and the device only its motors' torques.
+        const double most_N = has_joints(rig().profile()) ? 20.0 : rig().profile().force_limit_N;
+        EXPECT_LE(norm(made), most_N + promises().force_N);
+        (void)tick_for(0.1);
+    }
+}
+
+TEST_P(Conformance, WhatIsNoNumberIsZero) {
+    open();
+    settle();
+    (void)tick_for(0.05, right);
+    for (const double bad :
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+        for (int i = 0; i < 20; ++i) {
+            rig().pass(tick_s);
+            (void)rig().device().read(rig().now_s());
+            (void)rig().device().write({{bad, 0.0}, {0.0, bad}, 0.0});
+        }
+        EXPECT_TRUE(rig().holds_zero()) << bad;
+    }
+}
+
+TEST_P(Conformance, ZeroIsThereInTheTimeThatItStatesAndToldOnlyThen) {
+    open();
+    settle();
+    for (int turn = 0; turn < 20; ++turn) {
+        (void)tick_for(0.02 + 0.001 * turn, right);
+        ASSERT_FALSE(rig().holds_zero());
+        EXPECT_LE(time_to_zero_s(), promises().zero_s + 1e-9);
+        (void)tick_for(0.02);
+        EXPECT_TRUE(is_taken_) << "and says so in the end";
+    }
+}
+
+TEST_P(Conformance, NoForceBeforeItIsReady) {
+    if (!promises().needs_opening) return;
+    for (int i = 0; i < 100; ++i) {
+        (void)tick(right);
+        rig().pass(tick_s);
+        EXPECT_FALSE(rig().device().write(push()));
+        ASSERT_TRUE(rig().holds_zero()) << i;
+    }
+}
+
+TEST_P(Conformance, AGarbledAnswerIsNoNewsOrZero) {
+    open();
+    settle();
+    for (unsigned seed = 1; seed <= 50; ++seed) {
+        (void)tick_for(0.05, right);
+        rig().garble_next(seed);
+        for (int i = 0; i < 30; ++i) {
+            const auto told = tick(right);
+            const Position place = told ? told->p_D.value_or(rig().true_p_D()) : rig().true_p_D();
+            ASSERT_LT(norm(place - rig().true_p_D()), 5e-3) << seed << ": a wrong place";
+        }
+        const auto told = tick_for(0.5, right);
+        ASSERT_TRUE(told && told->p_D) << seed << ": it finds its way back";
+    }
+}
+
+TEST_P(Conformance, LossIsToldInTimeAndForceIsRefused) {
+    open();
+    settle();
+    (void)tick_for(0.05, right);
+    rig().cut();
+    (void)tick_for(promises().loss_s, right);
+    for (int i = 0; i < 100; ++i) {
+        EXPECT_FALSE(tick(right).has_value()) << i;
+        EXPECT_FALSE(rig().device().write(push())) << i;
+    }
+    if (!promises().free_s) return;
+    rig().pass(*promises().free_s);
+    EXPECT_TRUE(rig().holds_zero()) << "its motors are free by themselves";
+}
+
+TEST_P(Conformance, ComesBackAfterALossWithoutForce) {
+    open();
+    settle();
+    for (int turn = 0; turn < 3; ++turn) {
+        (void)tick_for(0.05, right);
+        rig().cut();
+        (void)tick_for(0.1);
+        rig().join();
+        ASSERT_TRUE(rig().open()) << turn;
+        EXPECT_TRUE(rig().holds_zero());
+        const auto told = tick_for(0.1);
+        ASSERT_TRUE(told && told->p_D) << turn;
+        EXPECT_TRUE(rig().holds_zero());
+        EXPECT_LT(norm(*told->p_D - rig().true_p_D()), promises().place_m);
+        (void)tick_for(0.05, right);
+        EXPECT_GT(dot(rig().true_force_D(), right), 0.0);
+    }
+}
+
+TEST_P(Conformance, TheSameCallsGiveTheSameBits) {
+    std::array<Position, 2> ends;
+    for (Position& end : ends) {
+        rig_ = GetParam().make();
+        open();
+        rig().move_hand(rig().profile().centre + Position{0.01, 0.01});
+        (void)tick_for(0.2, right);
+        end = rig().true_p_D();
+    }
+    EXPECT_EQ(ends[0], ends[1]);
+}
+
+INSTANTIATE_TEST_SUITE_P(Devices, Conformance,
+                         testing::ValuesIn(rig_rows().begin(), rig_rows().end()),
+                         [](const auto& row) { return std::string(row.param.name); });
+
+}  // namespace
+}  // namespace touchline

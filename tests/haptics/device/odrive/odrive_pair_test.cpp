@@ -1,0 +1,120 @@
+// What an ODrive must confirm before there is force, and what is told if it does not.
+#include "haptics/device/odrive/odrive_pair.h"
+
+#include "haptics/device/serial/serial_port.h"
+#include "tests/machines/sim/drives/drive_rig.h"
+#include "tests/machines/sim/drives/real_time_hosts.h"
+
+#include <chrono>
+#include <string>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+using OdriveRig = DriveRig<OdriveMachine>;
+
+constexpr JointTorques press{0.05, -0.03};
+constexpr std::array both_off{Bridge::off, Bridge::off};
+
+void expect_refused(const std::array<OdriveTruth, 2>& axes, std::string_view words) {
+    OdriveRig rig({}, axes);
+    const auto opened = rig.driver->open();
+    ASSERT_FALSE(opened.has_value()) << words;
+    EXPECT_NE(opened.error().line.find(words), std::string::npos) << opened.error().line;
+    EXPECT_EQ(rig.driver->report().state, DriveState::refused);
+    rig.tick_for(0.2, press);
+    EXPECT_FALSE(rig.driver->write_torques(press));
+    for (const BridgeChange& change : rig.plant().changes())
+        EXPECT_EQ(change.torques, ShaftTorques{});
+    EXPECT_EQ(rig.bridges(), both_off);
+}
+
+TEST(OdrivePair, AWatchdogThatReadsBackOtherwiseGetsNoTorque) {
+    for (const double factor : {0.5, 1.01, 5.0}) {
+        auto axes = OdriveMachine::units();
+        axes[0].watchdog_factor = factor;
+        expect_refused(axes, "axis 0 (motor 1) does not confirm its watchdog");
+    }
+    auto axes = OdriveMachine::units();
+    axes[1].has_watchdog = false;
+    expect_refused(axes, "axis 1 (motor 2) does not confirm its watchdog");
+}
+
+TEST(OdrivePair, AnAxisThatWasNeverCalibratedGetsNoTorque) {
+    auto axes = OdriveMachine::units();
+    axes[1].is_calibrated = false;
+    expect_refused(axes, "axis 1 (motor 2) does not know its motor yet");
+    axes = OdriveMachine::units();
+    axes[0].is_encoder_ready = false;
+    expect_refused(axes, "axis 0 (motor 1) does not know its encoder yet");
+}
+
+TEST(OdrivePair, AFirmwareThatLacksAPropertyGetsNoTorque) {
+    auto axes = OdriveMachine::units();
+    axes[1].knows_torque_limit = false;
+    expect_refused(axes, "lacks what force needs");
+}
+
+TEST(OdrivePair, AnEncoderThatOnlyCountsLeavesThePlaceInDoubt) {
+    auto axes = OdriveMachine::units();
+    axes[1].encoder_mode = 0;
+    OdriveRig rig({}, axes);
+    ASSERT_TRUE(rig.driver->open().has_value());
+    EXPECT_TRUE(rig.driver->report().is_position_doubtful);
+}
+
+TEST(OdrivePair, ABoardThatStartsAnewInMidVisitIsArmedAnew) {
+    OdriveRig rig;
+    ASSERT_TRUE(rig.driver->open().has_value());
+    rig.tick_for(0.05, press);
+    rig.machine.board.reset();  // without a watchdog
+    rig.tick_for(0.005, press);
+    EXPECT_EQ(rig.driver->report().state, DriveState::setting_up);
+    EXPECT_EQ(rig.held(), JointTorques{});
+    rig.tick_for(0.2, press);
+    EXPECT_EQ(rig.driver->report().state, DriveState::ready);
+    rig.pass(0.1);
+    EXPECT_EQ(rig.bridges(), both_off);
+}
+
+TEST(OdrivePair, EveryBitOfAnErrorSaysWhatToDo) {
+    const OdrivePair pair(nullptr, 0.1);
+    for (unsigned bit = 0; bit < 32; ++bit) {
+        const std::string words = pair.words_of({MotorTrouble::Kind::fault, 2, 1U << bit});
+        EXPECT_NE(words.find("axis 1 (motor 2) stopped with error"), std::string::npos);
+        EXPECT_NE(words.find(": "), std::string::npos);
+    }
+}
+
+TEST(OdriveInRealTime, PressesThroughASerialPortAndItsWatchdogLetsGo) {
+    OdriveMachine machine({}, OdriveMachine::units(), hand_in_the_middle());
+    PtyHost host(machine.peer());
+    auto port = open_serial_port(host.path());
+    ASSERT_TRUE(port.has_value()) << port.error().line;
+    MotorPantograph driver(OdriveMachine::pair_over(std::move(*port)), DriveTruth{}.profile, {});
+    const auto opened = driver.open();
+    ASSERT_TRUE(opened.has_value()) << opened.error().line;
+    const auto start = std::chrono::steady_clock::now();
+    int with_angles = 0;
+    for (int k = 0; k < 500; ++k) {
+        std::this_thread::sleep_until(start + k * std::chrono::milliseconds(1));
+        const std::chrono::duration<double> now = std::chrono::steady_clock::now() - start;
+        const auto angles = driver.read_angles(now.count());
+        with_angles += angles ? 1 : 0;
+        (void)driver.write_torques(angles ? press : JointTorques{});
+    }
+    EXPECT_GT(with_angles, 20);
+    host.end_after(0.2);
+    bool has_pressed = false;
+    for (const BridgeChange& change : machine.plant().changes())
+        has_pressed = has_pressed || change.torques != ShaftTorques{};
+    EXPECT_TRUE(has_pressed);
+    EXPECT_EQ(machine.plant().changes().back().torques, ShaftTorques{});
+    EXPECT_EQ(machine.plant().changes().back().bridges, both_off);
+}
+
+}  // namespace
+}  // namespace touchline
