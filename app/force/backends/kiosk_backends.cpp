@@ -1,5 +1,6 @@
 #include "app/force/backends/kiosk_backends.h"
 
+#include "app/force/backends/motors.h"
 #include "app/force/backends/usb_board.h"
 
 #include <algorithm>
@@ -10,6 +11,8 @@ namespace {
 
 constexpr std::array rows{
     KioskBackend{"usb-board", find_usb_board, command_usb_board},
+    KioskBackend{"moteus", find_moteus, command_moteus},
+    KioskBackend{"odrive", find_odrive, command_odrive},
 };
 
 }  // namespace

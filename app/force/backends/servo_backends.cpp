@@ -1,5 +1,6 @@
 #include "app/force/backends/servo_backends.h"
 
+#include "app/force/servo/motors_device.h"
 #include "app/force/servo/usb_device.h"
 
 #include <algorithm>
@@ -17,8 +18,22 @@ Result<OpenedDevice> open_usb_board(std::span<const std::string> words, const Op
         [&opening](const UsbDevice& device) { return open_usb_device(device, opening); });
 }
 
+template <MotorsMake make>
+bool are_motors(std::span<const std::string> words) {
+    return motors_of(make, words).has_value();
+}
+
+template <MotorsMake make>
+Result<OpenedDevice> open_motors_of(std::span<const std::string> words, const Opening& opening) {
+    return motors_of(make, words).and_then([&opening](const MotorsDevice& device) {
+        return open_motors(device, opening);
+    });
+}
+
 constexpr std::array rows{
     ServoBackend{"usb-board", is_usb_board, open_usb_board},
+    ServoBackend{"moteus", are_motors<MotorsMake::moteus>, open_motors_of<MotorsMake::moteus>},
+    ServoBackend{"odrive", are_motors<MotorsMake::odrive>, open_motors_of<MotorsMake::odrive>},
 };
 
 const ServoBackend* row_of(std::span<const std::string> words) {
