@@ -127,18 +127,18 @@ bool is_of_newer_program(std::string_view text) {
 
 std::string sentence_of(BundleFault fault, const Language& language) {
     constexpr std::array<const char*, bundle_fault_count> sentences{
-        "This kiosk knows no key of a house. Install the key first.",
-        "This kiosk has no key to sign with. Make it on the command line first.",
-        "This kiosk signs bundles with another key. Nothing was changed.",
+        "This kiosk has no house key. Install the house key first.",
+        "This kiosk cannot sign bundles. Make them on the kiosk with the first house key.",
+        "This kiosk has a house key of its own. Nothing was changed.",
         "This file is no bundle of Touchline.",
-        "This file holds no key of a house.",
+        "This file holds no house key.",
         "The bundle is damaged or was changed. Copy it to the USB stick again.",
-        "The bundle is signed with another key. Nothing was changed.",
+        "The bundle is signed with another house key. Nothing was changed.",
         "The bundle was made by a newer Touchline. Update this kiosk first.",
         "A newer bundle was applied here before. Nothing was changed.",
         "Something in the bundle cannot be used here. The log says what.",
-        "A pack of this kiosk is newer than in the bundle. Make a new bundle.",
-        "There is too much for one bundle. Take packs out of this kiosk.",
+        "A pack of pictures is newer here than in the bundle. Make a new bundle.",
+        "There is too much for one bundle. Remove packs of pictures.",
         "Something cannot be read or saved here. The log says what.",
         "There is no bundle to go back from.",
     };

@@ -10,6 +10,7 @@
 // Threads: values and pure functions.
 #pragma once
 
+#include "app/documents/decode/files.h"
 #include "app/house/signing.h"
 #include "config/types/result.h"
 
@@ -77,11 +78,8 @@ struct Bundle {
     std::vector<BundleFile> files;  // by part, then by name; no two are the same
 };
 
-inline constexpr std::size_t most_bundle_bytes = std::size_t{256} << 20U;
+inline constexpr std::size_t most_bundle_bytes = max_file_bytes;
 inline constexpr std::size_t most_bundle_files = 200;
-inline constexpr std::string_view bundle_ending = ".touchline-bundle";
-inline constexpr std::string_view key_ending = ".touchline-key";
-inline constexpr std::size_t most_key_bytes = 4096;
 
 /// Fails if it is larger than a bundle may be. O(bytes).
 [[nodiscard]] BundleResult<std::vector<std::byte>> signed_bundle(Bundle bundle,

@@ -2,6 +2,7 @@
 
 #include "app/documents/decode/files.h"
 #include "app/documents/decode/one_line.h"
+#include "app/documents/sticks/listing.h"
 #include "app/operator/private_files.h"
 #include "app/operator/settings_files.h"
 
@@ -55,6 +56,10 @@ BundleResult<PublicKey> make_house_key(const HousePlaces& places) {
     if (!secret && secret.error().fault != BundleFault::no_secret_key)
         return tl::unexpected(secret.error());
     if (!secret) {
+        // Whoever makes a key of its own here would no longer take the bundles of its house.
+        if (const auto trusted = read_house_key(places);
+            trusted || trusted.error().fault != BundleFault::no_key)
+            return trusted;
         secret = new_secret_key();
         const auto kept = write_private(places.house / secret_name, key_text(*secret));
         if (!kept) return disk_failure(kept.error());
@@ -64,7 +69,8 @@ BundleResult<PublicKey> make_house_key(const HousePlaces& places) {
 }
 
 BundleResult<PublicKey> house_key_in(std::span<const std::byte> bytes, const std::string& name) {
-    const auto key = bytes.size() <= most_key_bytes ? public_key_in(as_text(bytes)) : std::nullopt;
+    const auto key =
+        bytes.size() <= most_house_key_bytes ? public_key_in(as_text(bytes)) : std::nullopt;
     if (key) return *key;
     return bundle_failure(BundleFault::no_key_file,
                           one_line(name) + ": holds no key of a house; copy it here again");

@@ -16,7 +16,8 @@ namespace touchline {
 /// Fails with `no_secret_key` on a kiosk that does not make bundles.
 [[nodiscard]] BundleResult<SecretKey> read_secret_key(const HousePlaces& places);
 
-/// Makes the key of a house, trusts it, and gives it; gives the one that is there already.
+/// The key that this kiosk trusts; where there is none, makes one and the secret one with it. So
+/// only the first kiosk of a house makes a key.
 [[nodiscard]] BundleResult<PublicKey> make_house_key(const HousePlaces& places);
 
 /// The key in the bytes of a file, which may be any. `name` is the file's, for the line.

@@ -133,6 +133,7 @@ void Kiosk::follow_operator() {
                     today(), health()});
     if (sticks_) operator_->put_stick(sticks_->root());
     if (const auto line = operator_->poll_stick(language())) tell_operator(OrderAnswered{*line});
+    for (const OperatorEvent& event : operator_->poll_house()) tell_operator(event);
     tell_operator(MomentPassed{});
     if (const std::string note = operator_->take_note(); !note.empty()) report(note);
     if (operator_->read_again()) set(operator_->settings());

@@ -104,7 +104,8 @@ OperatorFiles operator_files() {
     const fs::path folder = settings_files().site.parent_path();
     return {settings_files(),  pin_file(),        counters_file(),
             keys_file(),       site_sound_file(), profiles_folder(),
-            folder / "copies", library_folder(),  companion("touchline-import")};
+            folder / "copies", library_folder(),  companion("touchline-import"),
+            house_places()};
 }
 
 /// Carries out what concerns only files; leaves everything else to the kiosk.
@@ -205,6 +206,24 @@ struct OperatorSession::Office {
         session.import_from_stick(import.file, language);
     }
 
+    void operator()(const LookAtHouseFile& look) const {
+        session.look_at_house_file(look.file, language);
+    }
+
+    void operator()(const LookAtWayBack&) const { session.house_.look_at_way_back(language); }
+
+    void operator()(const ApplyBundle&) const { session.house_.apply(language); }
+
+    void operator()(const GoBackToBefore&) const { session.house_.go_back(language); }
+
+    void operator()(const MakeBundle&) const {
+        session.house_.make(session.facts_.today, language);
+    }
+
+    void operator()(const ShowHouseKey&) const { session.house_.show_key(language); }
+
+    void operator()(const TrustHouseKey&) const { session.house_.trust_key(language); }
+
     template <class Order>
     void operator()(const Order& order) const {
         left.emplace_back(order);
@@ -215,8 +234,10 @@ OperatorSession::OperatorSession(OperatorFiles files, const std::vector<Language
                                  std::vector<std::string>& problems)
     : files_(std::move(files)),
       watch_(files_.settings.site),
-      profiles_(read_profiles(files_.profiles, problems)),
-      stick_(files_.import_program) {
+      stick_(files_.import_program),
+      house_(files_.house, files_.copies) {
+    if (const auto done = finish_change(files_.house); !done) problems.push_back(done.error().line);
+    read_profiles_again(problems);
     for (const Language& language : languages)
         languages_.push_back({language.code(), language.name()});
     read_site();
@@ -253,15 +274,32 @@ void OperatorSession::hold(const Settings& site) {
     settings_ = held.value_or(site);
 }
 
+void OperatorSession::read_profiles_again(std::vector<std::string>& problems) {
+    profiles_ = read_profiles(files_.profiles, files_.house.profiles, problems);
+}
+
 bool OperatorSession::read_again() {
-    if (is_open() || !watch_.has_changed()) return false;
+    const bool is_new = std::exchange(has_new_site_, false);
+    if (!is_new && (is_open() || !watch_.has_changed())) return false;
+    if (is_new) (void)watch_.has_changed();
     read_site();
     return true;
 }
 
 OperatorWorld OperatorSession::world(const Language& language, double now_s) const {
-    OperatorWorld world{language,   now_s, has_pin(), site_,          sound_, keys_,
-                        languages_, {},    days_,     stick_.names(), facts_};
+    OperatorWorld world{language,
+                        now_s,
+                        has_pin(),
+                        site_,
+                        sound_,
+                        keys_,
+                        languages_,
+                        {},
+                        days_,
+                        stick_names(false),
+                        stick_names(true),
+                        house_.lines(),
+                        facts_};
     for (const Profile& profile : profiles_) world.profiles.push_back({profile.name, profile.rows});
     KioskHealth& health = world.kiosk.health;
     health.can_keep = can_keep_;
@@ -338,11 +376,61 @@ std::string OperatorSession::keep_drawing(const TactileMap& drawing, const Langu
 }
 
 void OperatorSession::import_from_stick(std::size_t file, const Language& language) {
-    if (file >= stick_.names().size() || import_.valid()) return;
-    import_ =
-        std::async(std::launch::async, imported,
-                   Brought{stick_.reader_of(file), stick_.kind_of(file), stick_.names()[file]},
-                   files_.library, language);
+    const auto files = stick_files(false);
+    if (file >= files.size() || import_.valid()) return;
+    const std::size_t at = files[file];
+    import_ = std::async(std::launch::async, imported,
+                         Brought{stick_.reader_of(at), stick_.kind_of(at), stick_.names()[at]},
+                         files_.library, language);
+}
+
+void OperatorSession::look_at_house_file(std::size_t file, const Language& language) {
+    const auto files = stick_files(true);
+    if (file >= files.size()) return;
+    const std::size_t at = files[file];
+    std::vector<std::string> codes;
+    for (const OfferedLanguage& each : languages_) codes.push_back(each.code);
+    const auto read = [reader = stick_.reader_of(at), language]() -> Result<Mapping, Outcome> {
+        auto bytes = reader();
+        if (bytes) return std::move(*bytes);
+        const std::string why = sentence_of(bytes.error(), "");
+        return tl::unexpected(
+            Outcome{told_of_file(why, stick_trouble, language, ToldTo::staff), why});
+    };
+    house_.look_at({stick_.names()[at], stick_.kind_of(at) == StickFileKind::house_key, read},
+                   std::move(codes), language);
+}
+
+std::vector<std::size_t> OperatorSession::stick_files(bool are_of_house) const {
+    std::vector<std::size_t> files;
+    for (std::size_t i = 0; i < stick_.names().size(); ++i) {
+        const StickFileKind kind = stick_.kind_of(i);
+        const bool is_of_house = kind == StickFileKind::bundle || kind == StickFileKind::house_key;
+        if (is_of_house == are_of_house) files.push_back(i);
+    }
+    return files;
+}
+
+std::vector<std::string> OperatorSession::stick_names(bool are_of_house) const {
+    std::vector<std::string> names;
+    for (const std::size_t file : stick_files(are_of_house)) names.push_back(stick_.names()[file]);
+    return names;
+}
+
+std::vector<OperatorEvent> OperatorSession::poll_house() {
+    auto news = house_.poll();
+    if (!news) return {};
+    if (news->has_changed) {
+        std::vector<std::string> problems;
+        read_profiles_again(problems);
+        for (const std::string& problem : problems) note_ = problem;
+        has_new_site_ = true;
+    }
+    std::vector<OperatorEvent> events;
+    if (news->place) events.emplace_back(HouseLooked{*news->place});
+    const std::string said = told(std::move(news->outcome));
+    if (!said.empty()) events.emplace_back(OrderAnswered{plain_line(said)});
+    return events;
 }
 
 std::optional<std::string> OperatorSession::poll_stick(const Language& language) {

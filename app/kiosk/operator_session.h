@@ -3,6 +3,8 @@
 // Threads: one. Its calls read and write small files; a thread beside it reads sticks.
 #pragma once
 
+#include "app/kiosk/operator_house.h"
+#include "app/kiosk/outcome.h"
 #include "app/kiosk/stick_source.h"
 #include "app/operator/counters.h"
 #include "app/operator/operator.h"
@@ -35,16 +37,11 @@ struct OperatorFiles {
     std::filesystem::path copies;    // folder of backups and logs
     std::filesystem::path library;   // folder of picture packs
     std::string import_program;      // touchline-import, which reads sticks
+    HousePlaces house;               // of several kiosks
 };
 
 /// The files of this machine.
 [[nodiscard]] OperatorFiles operator_files();
-
-/// The result of an order.
-struct Outcome {
-    std::string said;  // to the operator, in their language
-    std::string line;  // for the log, with names of files; empty: it went well
-};
 
 class OperatorSession {
   public:
@@ -105,6 +102,9 @@ class OperatorSession {
     /// Adds a line to the log that can be exported; it keeps the last 1000 lines.
     void log(const std::string& line);
 
+    /// What came of a bundle or a key, as events for apply(). Afterwards read_again() may be true.
+    [[nodiscard]] std::vector<OperatorEvent> poll_house();
+
     /// One sentence for the operator: an import ended, or the stick cannot be read.
     [[nodiscard]] std::optional<std::string> poll_stick(const Language& language);
 
@@ -125,6 +125,12 @@ class OperatorSession {
     [[nodiscard]] std::string told(Outcome outcome);
     void import_from_stick(std::size_t file, const Language& language);
     void keep_counts();
+    void read_profiles_again(std::vector<std::string>& problems);
+    void look_at_house_file(std::size_t file, const Language& language);
+
+    /// The numbers of the stick's files that are for several kiosks, or of all others.
+    [[nodiscard]] std::vector<std::size_t> stick_files(bool are_of_house) const;
+    [[nodiscard]] std::vector<std::string> stick_names(bool are_of_house) const;
 
     OperatorFiles files_;
     FileWatch watch_;
@@ -142,6 +148,8 @@ class OperatorSession {
     KioskFacts facts_;
     OperatorStick stick_;
     std::future<Outcome> import_;
+    OperatorHouse house_;
+    bool has_new_site_ = false;  // a bundle was applied, or undone
     std::vector<std::string> log_;
     std::string note_;
     bool can_keep_ = true;  // as it was last told

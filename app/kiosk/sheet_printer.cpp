@@ -36,9 +36,9 @@ PrintEnd end_of(std::future<PrintEnd>& work) {
     }
 }
 
-/// On a thread of its own; a machine that has none left answers at once.
-template <class Work>
-std::future<PrintEnd> begun(Work work) {
+}  // namespace
+
+std::future<PrintEnd> on_own_thread(std::function<PrintEnd()> work) {
     try {
         return std::async(std::launch::async, [work = std::move(work)] {
             leave_signals_to_main_thread();
@@ -50,8 +50,6 @@ std::future<PrintEnd> begun(Work work) {
         return answer.get_future();
     }
 }
-
-}  // namespace
 
 /// A future of std::async waits for its thread.
 SheetPrinter::~SheetPrinter() {
@@ -101,7 +99,7 @@ std::optional<std::string> SheetPrinter::left_behind() const {
 
 void SheetPrinter::look_at(const std::string& queue) {
     at_ = queue;
-    under_way_ = begun(
+    under_way_ = start_(
         [check = printing_.check, stop = stop_.get_token(), queue] { return check(queue, stop); });
 }
 
@@ -112,7 +110,7 @@ void SheetPrinter::begin_next(double now_s, bool is_watched) {
     is_sheet_ = waiting_.has_value();
     if (is_sheet_) {
         at_ = waiting_->order.queue;
-        under_way_ = begun(
+        under_way_ = start_(
             [print = printing_.print, stop = stop_.get_token(),
              sheet = *std::exchange(waiting_, {})] { return print(sheet.map, sheet.order, stop); });
     } else if (!queue_.empty() &&

@@ -26,6 +26,12 @@ struct Printing {
 
 [[nodiscard]] Printing printing_by(const PrintPrograms& programs);
 
+/// Begins work that waits, and returns its end to be.
+using PrintStart = std::function<std::future<PrintEnd>(std::function<PrintEnd()> work)>;
+
+/// On a thread of its own; a machine that has none left answers at once.
+[[nodiscard]] std::future<PrintEnd> on_own_thread(std::function<PrintEnd()> work);
+
 /// A printer of sheets; in tests, one that obeys the test's clock.
 class SitePrinter : public Interface {
   public:
@@ -50,7 +56,8 @@ class SheetPrinter final : public SitePrinter {
     static constexpr double check_every_s = 300.0;
     static constexpr double watched_check_every_s = 10.0;
 
-    explicit SheetPrinter(Printing printing) : printing_(std::move(printing)) {}
+    explicit SheetPrinter(Printing printing, PrintStart start = on_own_thread)
+        : printing_(std::move(printing)), start_(std::move(start)) {}
 
     ~SheetPrinter() override;
 
@@ -73,6 +80,7 @@ class SheetPrinter final : public SitePrinter {
     void begin_next(double now_s, bool is_watched);
 
     Printing printing_;
+    PrintStart start_;
     std::stop_source stop_;
     std::optional<Sheet> waiting_;  // for a look at the queue to end
     std::future<PrintEnd> under_way_;

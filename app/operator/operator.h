@@ -59,6 +59,12 @@ enum class OperatorPlace : std::uint8_t {
     cleaning_lock,
     upkeep,
     library,
+    several,
+    bundle,
+    way_back,
+    house_key,
+    own_key,
+    key_pin,
     counters,
     days,
     log,
@@ -68,7 +74,7 @@ enum class OperatorPlace : std::uint8_t {
     question,
 };
 
-inline constexpr std::size_t operator_place_count = 43;
+inline constexpr std::size_t operator_place_count = 49;
 
 /// The screens that need the PIN.
 [[nodiscard]] constexpr bool is_inside(OperatorPlace place) {
@@ -77,7 +83,12 @@ inline constexpr std::size_t operator_place_count = 43;
 
 /// The screens on which a PIN is entered.
 [[nodiscard]] constexpr bool is_of_pin(OperatorPlace place) {
-    return place != OperatorPlace::closed && !is_inside(place);
+    return place == OperatorPlace::key_pin || (place != OperatorPlace::closed && !is_inside(place));
+}
+
+/// Those on which the kiosk's PIN is asked for.
+[[nodiscard]] constexpr bool asks_for_pin(OperatorPlace place) {
+    return place == OperatorPlace::pin || place == OperatorPlace::key_pin;
 }
 
 /// The questions asked before something is done.
@@ -88,10 +99,12 @@ enum class Question : std::uint8_t {
     zero_counters,
     first_settings,
     file_systems,
-    kind
+    kind,
+    apply_bundle,
+    go_back
 };
 
-inline constexpr std::size_t question_count = 7;
+inline constexpr std::size_t question_count = 9;
 
 struct Operator {
     OperatorPlace place = OperatorPlace::closed;
@@ -150,7 +163,9 @@ struct OperatorWorld {
     std::vector<OfferedLanguage> languages{};
     std::vector<OfferedProfile> profiles{};
     CountedDays days{};
-    std::vector<std::string> on_stick{};  // names of picture packs and networks
+    std::vector<std::string> on_stick{};     // names of picture packs and networks
+    std::vector<std::string> house_files{};  // names of bundles and house keys on the stick
+    std::vector<std::string> house_lines{};  // of what was looked at last: changes, or digits
     KioskFacts kiosk{};
 };
 
@@ -181,8 +196,13 @@ struct OrderAnswered {
     std::string line;
 };
 
+/// A bundle, the way back or a key was looked at: its lines are there, for this screen.
+struct HouseLooked {
+    OperatorPlace place = OperatorPlace::bundle;
+};
+
 using OperatorEvent =
-    std::variant<KeyStruck, MomentPassed, PinChecked, TestAnswered, OrderAnswered>;
+    std::variant<KeyStruck, MomentPassed, PinChecked, TestAnswered, OrderAnswered, HouseLooked>;
 
 struct Say {  // shown as well
     std::string text;
@@ -244,6 +264,22 @@ struct ImportFromStick {
     std::size_t file = 0;  // index of OperatorWorld::on_stick
 };
 
+struct LookAtHouseFile {   // tells what a bundle would change, or the digits of a key
+    std::size_t file = 0;  // index of OperatorWorld::house_files
+};
+
+struct LookAtWayBack {};
+
+struct ApplyBundle {};  // the one that was looked at
+
+struct GoBackToBefore {};  // as looked at: before the last bundle
+
+struct MakeBundle {};
+
+struct ShowHouseKey {};  // makes it the first time
+
+struct TrustHouseKey {};  // the one that was looked at
+
 struct ZeroCounters {};
 
 struct ExportCounters {};
@@ -265,8 +301,10 @@ struct Leave {};  // gives the kiosk back to the visitors
 using OperatorOrder =
     std::variant<Say, Click, Show, CheckPin, KeepPin, SetSettings, WriteSettings, WriteSound,
                  WriteKeys, FindHome, ChooseKind, ClearFault, RunTest, StopTest, ShowLive,
-                 LockHandle, ImportFromStick, ZeroCounters, ExportCounters, ExportLog,
-                 SaveRecording, KeepDrawing, BackUp, Restore, CloseKiosk, Leave>;
+                 LockHandle, ImportFromStick, LookAtHouseFile, LookAtWayBack, ApplyBundle,
+                 GoBackToBefore, MakeBundle, ShowHouseKey, TrustHouseKey, ZeroCounters,
+                 ExportCounters, ExportLog, SaveRecording, KeepDrawing, BackUp, Restore, CloseKiosk,
+                 Leave>;
 
 struct OperatorStep {
     Operator state;

@@ -42,6 +42,11 @@ void begin_cleaning(OperatorTurn& turn) {
     turn.go(OperatorPlace::cleaning_lock);
 }
 
+void confirm_key(OperatorTurn& turn) {
+    turn.state().pin = {};
+    turn.go(OperatorPlace::key_pin);
+}
+
 void choose_new_pin(OperatorTurn& turn) {
     turn.go(OperatorPlace::new_pin);
 }
@@ -61,6 +66,17 @@ constexpr auto actions = std::to_array<ActionRow>({
     {P::homing, A::find_home, "Begin", "", find_home},
     {P::self_test, A::run_all_tests, "All steps", "One after the other.", run_all_tests},
     {P::cleaning, A::begin_cleaning, "Begin", "", begin_cleaning},
+    {P::several, A::make_bundle, "Make a bundle of this kiosk",
+     "The file lies beside the settings.", give<MakeBundle>},
+    {P::several, A::show_house_key, "House key of this kiosk",
+     "It is made the first time. Its file lies beside the settings.", give<ShowHouseKey>},
+    {P::several, A::find_way_back, "Back to before the bundle",
+     "You hear what would change before anything does.", give<LookAtWayBack>},
+    {P::bundle, A::apply_bundle, "Apply the bundle", "All of it is changed, or nothing.",
+     ask<Q::apply_bundle>},
+    {P::way_back, A::go_back, "Go back", "", ask<Q::go_back>},
+    {P::house_key, A::trust_key, "Trust this house key",
+     "Only if the digits are the same. The PIN is asked for.", confirm_key},
     {P::counters, A::export_counters, "Copy the days as a table",
      "The file lies beside the settings. A spreadsheet reads it.", give<ExportCounters>},
     {P::counters, A::zero_counters, "Begin again from zero", "", ask<Q::zero_counters>},
@@ -103,6 +119,8 @@ constexpr auto questions = std::to_array<QuestionRow>({
      write_settings},
     {Q::kind, P::kind, "The handle is measured anew. What was measured before is lost.",
      measure_kind},
+    {Q::apply_bundle, P::several, "All that you heard is changed.", give<ApplyBundle>},
+    {Q::go_back, P::several, "All is then as before the bundle.", give<GoBackToBefore>},
 });
 
 static_assert(questions.size() == question_count);
@@ -140,7 +158,8 @@ void answer(OperatorTurn& turn, bool is_yes) {
         asked.yes(turn);
     else
         turn.state().settings = turn.world.settings;
-    const bool tells_later = is_yes && asked.question == Question::restore;
+    constexpr std::array told_later{Question::restore, Question::apply_bundle, Question::go_back};
+    const bool tells_later = is_yes && std::ranges::count(told_later, asked.question) > 0;
     // A kind that was chosen is measured next.
     const bool is_measured = is_yes && asked.question == Question::kind;
     turn.go(is_measured ? OperatorPlace::homing : asked.place,

@@ -239,6 +239,7 @@ struct List {
             case OperatorPlace::pin:
             case OperatorPlace::new_pin:
             case OperatorPlace::new_pin_again:
+            case OperatorPlace::key_pin:
                 return add_pin();
             case OperatorPlace::status:
                 return add_status();
@@ -254,6 +255,13 @@ struct List {
                 return add_texts(OperatorItem::fact, ItemRole::text, world.kiosk.live);
             case OperatorPlace::library:
                 return add_texts(OperatorItem::on_stick, ItemRole::choice, world.on_stick);
+            case OperatorPlace::several:
+                return add_texts(OperatorItem::house_file, ItemRole::choice, world.house_files);
+            case OperatorPlace::bundle:
+            case OperatorPlace::way_back:
+            case OperatorPlace::house_key:
+            case OperatorPlace::own_key:
+                return add_texts(OperatorItem::fact, ItemRole::text, world.house_lines);
             case OperatorPlace::counters:
                 return add_counters();
             case OperatorPlace::days:
@@ -288,6 +296,10 @@ std::string own_text(const Operator& state, const OperatorWorld& world) {
         text = words(
             "Put in a USB stick with packs of pictures. A network file for Touchline can be on it "
             "too.");
+    if (state.place == OperatorPlace::several && world.house_files.empty())
+        add_sentence(text, words("Put in a USB stick with a bundle or a house key."));
+    if (state.place == OperatorPlace::bundle && world.house_lines.empty())
+        text = words("This kiosk is as the bundle says.");
     if (state.place == OperatorPlace::days)
         text =
             world.days.empty()

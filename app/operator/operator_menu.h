@@ -34,6 +34,12 @@ enum class OperatorAction : std::uint8_t {
     clear_fault,
     run_all_tests,
     begin_cleaning,
+    make_bundle,
+    show_house_key,
+    find_way_back,
+    apply_bundle,
+    go_back,
+    trust_key,
     export_counters,
     zero_counters,
     export_log,
@@ -86,13 +92,14 @@ enum class OperatorItem : std::uint8_t {
     action,         // an OperatorAction
     language,       // index of OperatorWorld::languages: offered or not
     first_language,
-    volume,    // 0 headset, 1 speaker
-    loudness,  // of a full sine: 0 headset, 1 speaker
-    profile,   // index of OperatorWorld::profiles; after the last: none
-    kind,      // index of kind_rows()
-    test,      // a TestStep
-    fact,      // text only
-    on_stick,  // index of OperatorWorld::on_stick
+    volume,      // 0 headset, 1 speaker
+    loudness,    // of a full sine: 0 headset, 1 speaker
+    profile,     // index of OperatorWorld::profiles; after the last: none
+    kind,        // index of kind_rows()
+    test,        // a TestStep
+    fact,        // text only
+    on_stick,    // index of OperatorWorld::on_stick
+    house_file,  // index of OperatorWorld::house_files
     no,
     yes,
 };

@@ -65,6 +65,9 @@ void select(OperatorTurn& turn, const ScreenItem& item) {
             return begin_tests(turn, static_cast<TestStep>(meaning.index), false);
         case OperatorItem::on_stick:
             return turn.order(ImportFromStick{meaning.index});
+        case OperatorItem::house_file:
+            turn.say(turn.words("The file is being checked."));
+            return turn.order(LookAtHouseFile{meaning.index});
         case OperatorItem::kind:
             return choose_kind(turn, meaning.index);
         case OperatorItem::no:
@@ -216,6 +219,11 @@ void take(OperatorTurn& turn, const OrderAnswered& answer) {
     if (turn.state().place == OperatorPlace::closed) return;
     turn.state().note = answer.line;
     turn.say(answer.line);
+}
+
+/// Whoever has gone elsewhere meanwhile is not called back.
+void take(OperatorTurn& turn, const HouseLooked& looked) {
+    if (turn.state().place == OperatorPlace::several) turn.go(looked.place);
 }
 
 }  // namespace

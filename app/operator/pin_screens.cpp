@@ -53,7 +53,7 @@ void finish_pin(OperatorTurn& turn) {
     Operator& state = turn.state();
     if (!is_pin(state.pin.taken))
         return turn.say(turn.words("A PIN has 4 to 8 digits. Press Select to accept a digit."));
-    if (state.place == OperatorPlace::pin) return give_pin(turn);
+    if (asks_for_pin(state.place)) return give_pin(turn);
     if (state.place == OperatorPlace::new_pin_again) return compare_pins(turn);
     state.chosen_pin = state.pin.taken;
     state.pin = {};
@@ -67,6 +67,7 @@ void take_back(OperatorTurn& turn) {
         const bool is_first = state.place == OperatorPlace::new_pin_again;
         state.chosen_pin.clear();
         if (is_first) return turn.go(OperatorPlace::new_pin);
+        if (state.place == OperatorPlace::key_pin) return turn.go(OperatorPlace::house_key);
         // Whoever changes the PIN was let in. Whoever has none yet, or is asked for it, was not.
         const bool is_inside = state.place == OperatorPlace::new_pin && turn.world.has_pin;
         return is_inside ? turn.go(OperatorPlace::upkeep) : turn.leave();
@@ -78,7 +79,7 @@ void take_back(OperatorTurn& turn) {
 
 bool is_locked(OperatorTurn& turn) {
     const double left_s = turn.state().tries.locked_until_s - turn.world.now_s;
-    if (turn.state().place != OperatorPlace::pin || left_s <= 0.0) return false;
+    if (!asks_for_pin(turn.state().place) || left_s <= 0.0) return false;
     turn.say(turn.world.language.counted("operator", "Too many wrong PINs. Wait {0} second.",
                                          "Too many wrong PINs. Wait {0} seconds.",
                                          static_cast<int>(std::lround(std::ceil(left_s)))));
@@ -109,10 +110,12 @@ void judge_pin(OperatorTurn& turn, const PinChecked& checked) {
     if (checked.is_right) {
         state.tries = {};
         if (state.place == OperatorPlace::pin) turn.go(OperatorPlace::status);
-        return;
+        if (state.place != OperatorPlace::key_pin) return;
+        turn.order(TrustHouseKey{});
+        return turn.go(OperatorPlace::several);
     }
     state.tries = after_wrong_pin(state.tries, turn.world.now_s, checked.is_noted);
-    if (state.place != OperatorPlace::pin) return;
+    if (!asks_for_pin(state.place)) return;
     if (!is_locked(turn)) turn.say(turn.words("That is not the PIN. Try again."));
 }
 

@@ -1,5 +1,6 @@
 #include "app/documents/sticks/import.h"
 
+#include "app/documents/decode/files.h"
 #include "app/documents/decode/opening.h"
 #include "app/isolation/process/memory.h"
 #include "app/isolation/sandbox/limits.h"
@@ -20,7 +21,7 @@ constexpr double killed_s = 0.5;
 constexpr std::size_t most_network_bytes = std::size_t{64} << 20U;
 
 bool is_for_operator(StickFileKind kind) {
-    return kind == StickFileKind::pack || kind == StickFileKind::network;
+    return kind >= StickFileKind::pack;
 }
 
 StickRefusal refusal_of_end(const ChildEnd& end) {
@@ -41,6 +42,10 @@ std::size_t most_bytes_of(StickFileKind kind) {
             return limits_of(WorkerKind::pack).input_bytes;
         case StickFileKind::network:
             return most_network_bytes;
+        case StickFileKind::bundle:
+            return max_file_bytes;
+        case StickFileKind::house_key:
+            return most_house_key_bytes;
         case StickFileKind::document:
         case StickFileKind::office:
             break;

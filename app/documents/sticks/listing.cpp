@@ -99,6 +99,8 @@ std::optional<StickFileKind> operator_kind_of_name(std::string_view name) {
     const std::string_view ending = ending_of(name);
     if (is_same(ending, "zip")) return StickFileKind::pack;
     if (is_same(ending, "onnx")) return StickFileKind::network;
+    if (is_same(ending, "touchline-bundle")) return StickFileKind::bundle;
+    if (is_same(ending, "touchline-key")) return StickFileKind::house_key;
     return std::nullopt;
 }
 

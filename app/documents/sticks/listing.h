@@ -17,10 +17,18 @@ namespace touchline {
 
 /// picture: one image. document: pages or vectors. office: counted so that one sentence can ask for
 /// PDFs; it is not offered. Only for the operator: pack, of pictures; network, one that Touchline
-/// knows (app/documents/models).
-enum class StickFileKind : std::uint8_t { picture, document, office, pack, network };
+/// knows (app/documents/models); bundle and house_key, for several kiosks (app/house).
+enum class StickFileKind : std::uint8_t {
+    picture,
+    document,
+    office,
+    pack,
+    network,
+    bundle,
+    house_key
+};
 
-inline constexpr int stick_file_kind_count = 5;
+inline constexpr int stick_file_kind_count = 7;
 
 /// Decides by the ending, in any case (file_formats of app/documents/decode/file_format.h); the
 /// process that opens a file learns from its first bytes what it really is. Nothing for a file that
@@ -32,6 +40,8 @@ inline constexpr int stick_file_kind_count = 5;
 
 /// True for hidden files and folders, and for those that systems put on sticks for themselves.
 [[nodiscard]] bool is_left_out(std::string_view name);
+
+inline constexpr std::size_t most_house_key_bytes = 4096;  // of a file that holds one
 
 inline constexpr std::size_t most_listed = 10'000;
 inline constexpr std::size_t most_listed_folders = 2'000;

@@ -73,6 +73,9 @@ class Inverse3Service::Talk {
 
     bool cut() noexcept;
 
+    /// The thread leaves it as it is from the first news on.
+    [[nodiscard]] std::string name() const { return std::string(session_.name()); }
+
   private:
     void connected(error_code error);
     void greeted(error_code error);
@@ -276,6 +279,18 @@ Result<std::unique_ptr<Inverse3Service>> Inverse3Service::connect(
     } catch (const std::exception& lack) {
         return failure(fmt::format("the Inverse3's service cannot be talked to: {}", lack.what()));
     }
+}
+
+bool Inverse3Service::answers(std::uint16_t port) {
+    asio::io_context io;
+    tcp::socket socket(io);
+    error_code error;
+    socket.connect({asio::ip::address_v4::loopback(), port}, error);
+    return !error;
+}
+
+std::string Inverse3Service::name() const {
+    return talk_->name();
 }
 
 Inverse3Service::Inverse3Service(std::unique_ptr<Talk> talk) : talk_(std::move(talk)) {}

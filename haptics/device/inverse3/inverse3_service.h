@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <string>
 #include <string_view>
 
 namespace touchline {
@@ -25,8 +26,14 @@ class Inverse3Service final : public Inverse3Link {
         std::string_view name, std::uint16_t port = inverse3_port,
         const std::function<bool()>& goes_on = {});
 
+    /// Whether anything listens at the port.
+    [[nodiscard]] static bool answers(std::uint16_t port = inverse3_port);
+
     /// Tells zero and closes the conversation. Waits 0.1 s at most.
     ~Inverse3Service() override;
+
+    /// The device's, as it was chosen.
+    [[nodiscard]] std::string name() const;
 
     [[nodiscard]] ArmNews news() override;
 

@@ -53,6 +53,8 @@ OperatorWorld OperatorRig::world() const {
         std::move(offered),
         days,
         packs,
+        house_files,
+        house_lines,
         {is_private, {"Force 0.5 newtons", "Level 2"}, kind, bounds, device_words, today, health}};
 }
 

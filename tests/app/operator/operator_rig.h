@@ -72,6 +72,8 @@ class OperatorRig : private Pinned {
     std::chrono::sys_days today{std::chrono::year(2026) / 3 / 1};
     CountedDays days;
     std::vector<std::string> packs{"Castles", "Letters"};
+    std::vector<std::string> house_files{"all kiosks", "house"};
+    std::vector<std::string> house_lines;
     std::optional<std::string> kind = "2diy-gen3.1";
     FeltBounds bounds;
     std::string device_words;

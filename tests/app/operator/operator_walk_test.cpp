@@ -46,6 +46,8 @@ OperatorWorld still_world(const Language& language) {
     world.languages = {{"en", "English"}, {"de", "Deutsch"}};
     world.profiles = {{"child", {0, 1}}, {"expert", {}}};
     world.on_stick = {"Castles"};
+    world.house_files = {"all kiosks"};
+    world.house_lines = {"Profile school: new", "Pack Castles: new"};
     world.kiosk.live = {"0.5 N"};
     world.kiosk.kind = "2diy-gen2";
     return world;
@@ -81,10 +83,21 @@ OperatorStep pressed(const Operator& state, R role, const OperatorWorld& world) 
     return step_operator(state, KeyStruck{key, role}, world);
 }
 
+/// The screens of what was looked at after this order.
+std::vector<P> looked_at_after(const OperatorOrder& order) {
+    if (std::holds_alternative<LookAtHouseFile>(order)) return {P::bundle, P::house_key};
+    if (std::holds_alternative<LookAtWayBack>(order)) return {P::way_back};
+    if (std::holds_alternative<ShowHouseKey>(order)) return {P::own_key};
+    return {};
+}
+
 /// Returns what one key leads to, and what the kiosk's answer to an order then leads to.
 std::vector<Operator> next_states(const Operator& state, R role, const OperatorWorld& world) {
     const OperatorStep step = pressed(state, role, world);
     std::vector<Operator> found{step.state};
+    for (const OperatorOrder& order : step.orders)
+        for (const P place : looked_at_after(order))
+            found.push_back(step_operator(step.state, HouseLooked{place}, world).state);
     for (const OperatorOrder& order : step.orders)
         if (const auto* run = std::get_if<RunTest>(&order))
             for (const bool has_passed : {false, true})

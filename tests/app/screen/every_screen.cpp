@@ -26,6 +26,8 @@ OperatorWorld busy_world(const Language& language) {
         world.days.push_back(
             {world.kiosk.today - std::chrono::days(40 - i), {1234, 567, 89, 10, 4321, 5}});
     world.on_stick = {"shapes-and-a-boat", "animals of the forest"};
+    world.house_files = {"house", "all kiosks"};
+    world.house_lines = {"6 3 2 9", "6 9 5 1", "3 5 4 7", "6 2 9 8", "9 1 8 9", "4 0 8 9"};
     world.kiosk.live = {"Contact: on a line", "Level: 2.5 of 6, by speed", "Force: 0.6 N"};
     world.kiosk.health.handle_trouble = spoken_fault(Fault::knob_lost, language);
     world.kiosk.health.has_motors = true;

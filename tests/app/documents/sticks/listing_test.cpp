@@ -72,7 +72,8 @@ rc::Gen<StickListing> listing() {
         rc::gen::set(
             &StickEntry::kind,
             rc::gen::element(StickFileKind::picture, StickFileKind::document, StickFileKind::office,
-                             StickFileKind::pack, StickFileKind::network)),
+                             StickFileKind::pack, StickFileKind::network, StickFileKind::bundle,
+                             StickFileKind::house_key)),
         rc::gen::set(&StickEntry::folder, folder_path()),
         rc::gen::set(&StickEntry::name, file_name()));
     return rc::gen::build<StickListing>(

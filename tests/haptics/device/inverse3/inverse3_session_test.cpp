@@ -59,6 +59,14 @@ TEST(Inverse3Session, TheOnlyDeviceIsChosenAndEachForceIsAnsweredWithAPlace) {
     EXPECT_EQ(news.no_news, 0U);
 }
 
+TEST(Inverse3Session, TheFirstForceGoes50msAfterTheListThatComesFirst) {
+    Inverse3Session session("");
+    const ServiceEmulator service({}, still());
+    session.hear(service.greet(), 1.0);
+    EXPECT_FALSE(session.due({{}, 1}, 1.049));
+    EXPECT_TRUE(session.due({{}, 1}, 1.051));
+}
+
 TEST(Inverse3Session, AnOlderServiceIsToldInItsOwnWords) {
     ServiceTruth older;
     older.has_session = false;
@@ -170,11 +178,10 @@ TEST(Inverse3Session, LateAnswersCountOnlyOnceTheNewestIsIn) {
     Talk talk;
     talk.rest(0.4);
     talk.push({1.0, 0.0, 0.0}, 0.05);
-    talk.link.spoil(AnswerFault::late, 1, 0.05);
-    talk.push({1.0, 0.0, 0.0}, 0.002);
     const std::uint64_t places = talk.link.news().places;
-    talk.push({1.0, 0.0, 0.0}, 0.045);
-    EXPECT_LE(talk.link.news().places, places + 1);
+    talk.link.spoil(AnswerFault::late, 2, 0.05);  // to the force, and to the zero 20 ms later
+    talk.push({1.0, 0.0, 0.0}, 0.065);
+    EXPECT_EQ(talk.link.news().places, places) << "the first tells of 50 ms ago";
     talk.push({1.0, 0.0, 0.0}, 0.05);
     EXPECT_GT(talk.link.news().places, places + 30);
     EXPECT_EQ(talk.service.applied_N().x, 1.0);

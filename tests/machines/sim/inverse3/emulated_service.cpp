@@ -72,13 +72,11 @@ void EmulatedService::exchange(double t_s) {
 void EmulatedService::send_answer(const std::string& text, double at_s) {
     const AnswerFault fault = faults_left_ > 0 ? fault_ : AnswerFault::none;
     faults_left_ = std::max(faults_left_ - 1, 0);
-    OnTheWay answer{at_s, text};
-    if (!to_client_.empty()) answer.at_s = std::max(at_s, to_client_.back().at_s);
+    OnTheWay answer{fault == AnswerFault::late ? at_s + late_s_ : at_s, text};
+    if (!to_client_.empty()) answer.at_s = std::max(answer.at_s, to_client_.back().at_s);
     switch (fault) {
         case AnswerFault::none:
-            break;
         case AnswerFault::late:
-            answer.at_s += late_s_;
             break;
         case AnswerFault::lost:
             return;

@@ -137,16 +137,6 @@ std::string ServiceEmulator::frame(bool is_whole) const {
     return all.dump();
 }
 
-void ServiceEmulator::put(Space place_m) {
-    level_.stop_at({place_m.x - truth_.centre_m.x, place_m.y - truth_.centre_m.y});
-    vertical_.stop_at({place_m.z - truth_.centre_m.z, 0.0});
-}
-
-void ServiceEmulator::grip(const HandModel& hand) {
-    level_.grip(hand);
-    vertical_.grip(hand);
-}
-
 Space ServiceEmulator::place_m() const {
     const Position level = level_.tip().position;
     return {truth_.centre_m.x + level.x, truth_.centre_m.y + level.y,

@@ -73,11 +73,6 @@ class ServiceEmulator {
     /// The hand means to be this much above the path's plane.
     void lift(double height_m) { height_m_ = height_m; }
 
-    /// Sets the handle elsewhere at once, as no hand can.
-    void put(Space place_m);
-
-    void grip(const HandModel& hand);
-
     // What only a test can see.
 
     [[nodiscard]] Space place_m() const;

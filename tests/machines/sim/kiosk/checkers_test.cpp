@@ -1,5 +1,6 @@
 // Tests that each checker of ticks finds what it is made for, and nothing if all is well.
 #include "tests/machines/sim/kiosk/checkers/force.h"
+#include "tests/machines/sim/kiosk/checkers/offers.h"
 #include "tests/machines/sim/kiosk/checkers/safety.h"
 
 #include <limits>
@@ -182,6 +183,30 @@ TEST(SafetyTransitionsChecker, SeesForceWhereThereIsNoneAndAFaultThatGetsEasier)
     easier.tick.fault = Fault::too_fast;
     other.look(easier.next(), easier.findings);
     EXPECT_TRUE(easier.has_found());
+}
+
+/// Returns true if anything is found when the map changes under a hand at rest, to one of that
+/// drawing, and the force with it.
+bool is_growth_found(double change_N, std::uint64_t drawing, bool is_led = false) {
+    Looks looks;
+    GrowingLineChecker checker;
+    looks.tick.force_state = ForceState::live;
+    looks.tick.map_version = 1;
+    looks.tick.force = {1.0, 0.0};
+    looks.sight.is_led = is_led;
+    for (int i = 0; i < 2; ++i) checker.look(looks.next(), 7, looks.figures, looks.findings);
+    looks.tick.map_version = 2;
+    looks.tick.force.x += change_N;
+    checker.look(looks.next(), drawing, looks.figures, looks.findings);
+    return looks.has_found();
+}
+
+TEST(GrowingLineChecker, SeesALineThatPushesAHandAtRest) {
+    EXPECT_FALSE(is_growth_found(0.02, 7));
+    EXPECT_TRUE(is_growth_found(0.03, 7));
+    EXPECT_FALSE(is_growth_found(-0.5, 8)) << "another drawing fades in";
+    EXPECT_FALSE(is_growth_found(0.5, 0)) << "so does a picture";
+    EXPECT_FALSE(is_growth_found(0.5, 7, true)) << "a shake acts";
 }
 
 }  // namespace

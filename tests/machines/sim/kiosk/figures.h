@@ -31,12 +31,17 @@ struct SimFigures {
     std::uint64_t keys = 0;
     std::uint64_t cues = 0;
     std::uint64_t utterances = 0;
+    std::uint64_t strokes = 0;       // drawn for visitors
+    std::uint64_t grown = 0;         // a drawing grew or shrank while its force was on
+    std::uint64_t sheets = 0;        // given to the printer
+    std::uint64_t turned_pages = 0;  // of the braille display
     std::array<std::uint64_t, sim_fault_count> fired{};
     std::array<std::uint64_t, sim_fault_count> pressed{};  // of these, while torque was on
     std::array<double, sim_fault_count> zero_s{};          // the longest time to zero torque
     double most_N = 0.0, most_N_share = 0.0;               // share of the device's limit
     double most_torque_Nm = 0.0;
     double most_rise_N_per_s = 0.0, most_change_N_per_s = 0.0;
+    double most_grown_N = 0.0;  // change of the force by a line that came, beyond the hand's motion
     double most_given_J = 0.0;  // in one second, beyond what the hand gave before
     double longest_answer_s = 0.0, longest_cue_s = 0.0;
     double longest_ready_s = 0.0, longest_silence_s = 0.0;
@@ -58,6 +63,10 @@ inline void SimFigures::add(const SimFigures& other) {
     keys += other.keys;
     cues += other.cues;
     utterances += other.utterances;
+    strokes += other.strokes;
+    grown += other.grown;
+    sheets += other.sheets;
+    turned_pages += other.turned_pages;
     failed_seeds += other.failed_seeds;
     for (std::size_t i = 0; i < sim_fault_count; ++i) {
         fired[i] += other.fired[i];
@@ -67,8 +76,8 @@ inline void SimFigures::add(const SimFigures& other) {
     for (const auto member :
          {&SimFigures::most_N, &SimFigures::most_N_share, &SimFigures::most_torque_Nm,
           &SimFigures::most_rise_N_per_s, &SimFigures::most_change_N_per_s,
-          &SimFigures::most_given_J, &SimFigures::longest_answer_s, &SimFigures::longest_cue_s,
-          &SimFigures::longest_ready_s, &SimFigures::longest_silence_s})
+          &SimFigures::most_grown_N, &SimFigures::most_given_J, &SimFigures::longest_answer_s,
+          &SimFigures::longest_cue_s, &SimFigures::longest_ready_s, &SimFigures::longest_silence_s})
         this->*member = std::max(this->*member, other.*member);
 }
 

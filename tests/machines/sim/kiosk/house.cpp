@@ -78,7 +78,13 @@ OperatorFiles site_files_in(const fs::path& folder) {
             TOUCHLINE_SOURCE_DIR "/config/defaults/profiles",
             folder / "copies",
             folder / "packs",
-            companion("touchline-import")};
+            companion("touchline-import"),
+            {folder / "house",
+             {folder / "kiosk.toml", folder / "kiosk.toml.good"},
+             folder / "profiles",
+             TOUCHLINE_SOURCE_DIR "/config/defaults/profiles",
+             folder / "packs",
+             folder / "networks"}};
 }
 
 std::string Heard::text_since(std::size_t first) const {

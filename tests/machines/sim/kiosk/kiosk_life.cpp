@@ -44,6 +44,13 @@ KioskLife::KioskLife(const KioskPlace& place) : now_s_(place.now_s) {
     std::unique_ptr<Camera> eye;
     camera = make<SimCamera>(eye);
     parts.photos = std::make_unique<PhotoCapture>(std::move(eye));
+    if (place.printer != nullptr)
+        parts.printer =
+            std::make_unique<SheetPrinter>(place.printer->printing(), place.printer->start());
+    if (place.has_braille) {
+        braille = std::make_shared<ReadLine>();
+        parts.braille = std::make_unique<ReadBraille>(braille);
+    }
     std::vector<std::string> problems;  // a file that cannot be read is one of the faults
     parts.operator_session =
         std::make_unique<OperatorSession>(site_files_in(place.folder), parts.languages, problems);

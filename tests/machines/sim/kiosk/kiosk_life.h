@@ -5,9 +5,11 @@
 #include "app/force/servo/running_servo.h"
 #include "app/force/servo/servo_connection.h"
 #include "app/kiosk/kiosk.h"
+#include "tests/app/kiosk/read_line.h"
 #include "tests/machines/sim/kiosk/due_jobs.h"
 #include "tests/machines/sim/kiosk/house.h"
 #include "tests/machines/sim/kiosk/line_servo.h"
+#include "tests/machines/sim/kiosk/sim_printer.h"
 #include "tests/machines/sim/kiosk/sim_sources.h"
 
 #include <cstdint>
@@ -24,6 +26,8 @@ struct KioskPlace {
     std::shared_ptr<Heard> heard;
     std::function<JobFate()> fate;
     std::function<int()> minute_of_day;
+    SimPrinter* printer = nullptr;  // null: the site has none
+    bool has_braille = false;
 };
 
 class KioskLife {
@@ -43,6 +47,7 @@ class KioskLife {
     SimFileSource* sticks = nullptr;
     SimCamera* camera = nullptr;
     DueJobs* jobs = nullptr;
+    std::shared_ptr<ReadLine> braille;  // null: the site has none
     std::unique_ptr<Kiosk> kiosk;
 
   private:

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -23,6 +24,7 @@ class LineServo final : public ServoClient {
 
     void feel(const FeltPicture& picture) override {
         felt = picture.map;
+        drawings[picture.map->version] = picture.map->drawing;
         ++pictures;
         line_.feel(picture);
     }
@@ -58,6 +60,7 @@ class LineServo final : public ServoClient {
 
     ServoCommands told;
     std::shared_ptr<const TactileMap> felt;
+    std::map<std::uint64_t, std::uint64_t> drawings;  // of each map, by its version; 0: it is none
     std::uint64_t pictures = 0;
     bool is_homing_wanted = false;
 

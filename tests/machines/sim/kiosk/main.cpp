@@ -26,8 +26,8 @@ struct Wanted {
 void tell(const Plan& plan, const SimFailure& failure) {
     fmt::print("{}", text_of(plan));
     fmt::print("FAILED at {:.3f} s: {}: {}\n", failure.at_s, failure.checker, failure.words);
-    fmt::print("again: kiosk_sim --seed {} --span {:.0f}\n", plan.options.seed,
-               plan.options.span_s);
+    fmt::print("again: kiosk_sim --seed {} --span {:.0f}{}\n", plan.options.seed,
+               plan.options.span_s, plan.options.is_plain ? " --plain" : "");
     std::fflush(stdout);
 }
 
@@ -64,6 +64,7 @@ int main(int argc, char** argv) {
     app.add_option("--span", wanted.plan.span_s, "of each house, in seconds");
     app.add_option("--until", wanted.plan.until_s, "no fault begins later, in seconds");
     app.add_option("--faults", wanted.plan.faults, "kinds that may come, a bit each");
+    app.add_flag("--plain", wanted.plan.is_plain, "no drawing, printer or braille display");
     app.add_flag("--shrink", wanted.shrinks, "of a failure: the fewest faults that still fail");
     app.add_flag("--plan", wanted.tells_plan, "tell what is planned");
     app.add_option("--hashes", wanted.hashes, "a file for the hash of each second");

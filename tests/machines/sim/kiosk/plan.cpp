@@ -63,6 +63,7 @@ static_assert(kinds.size() == sim_fault_count);
 // Purposes of dice.
 constexpr std::uint64_t of_visits = 1;
 constexpr std::uint64_t of_swarm = 2;
+constexpr std::uint64_t of_offers = 4;
 constexpr std::uint64_t of_kind = 100;
 
 constexpr double first_visit_s = 20.0;
@@ -72,6 +73,8 @@ constexpr double calm_s = 20.0;      // nor at its end
 constexpr double no_faults_at_all = 0.12;
 constexpr double kind_is_there = 0.4;
 constexpr double at_a_visit = 0.3;  // for a kind that is there
+constexpr double is_offered = 0.3;
+constexpr double is_taken = 0.7;  // of what is offered, by a visitor
 
 std::vector<PlannedVisit> visits(const PlanOptions& options) {
     Dice dice = Dice::of(options.seed, of_visits);
@@ -83,6 +86,22 @@ std::vector<PlannedVisit> visits(const PlanOptions& options) {
         at_s += length_s + apart_s + dice.between(0.0, 4500.0);
     }
     return planned;
+}
+
+/// What the site offers, and who takes it.
+SiteOffers offers(const PlanOptions& options, std::vector<PlannedVisit>& visits) {
+    if (options.is_plain) return {};
+    Dice dice = Dice::of(options.seed, of_offers);
+    SiteOffers offered;
+    offered.drawing = dice.is_hit(is_offered);
+    offered.printer = dice.is_hit(is_offered);
+    offered.braille = dice.is_hit(is_offered);
+    for (PlannedVisit& visit : visits) {
+        visit.draws = dice.is_hit(is_taken) && offered.drawing;
+        visit.prints = dice.is_hit(is_taken) && offered.printer;
+        visit.reads = dice.is_hit(is_taken) && offered.braille;
+    }
+    return offered;
 }
 
 /// Adds the causes of one kind, independent of other kinds.
@@ -119,7 +138,8 @@ std::optional<SimFault> fault_named(std::string_view name) {
 }
 
 Plan make_plan(const PlanOptions& options) {
-    Plan plan{options, visits(options), {}};
+    Plan plan{options, {}, visits(options), {}};
+    plan.offers = offers(options, plan.visits);
     Dice swarm = Dice::of(options.seed, of_swarm);
     if (swarm.is_hit(no_faults_at_all)) return plan;
     for (std::size_t i = 0; i < sim_fault_count; ++i)
@@ -131,7 +151,10 @@ Plan make_plan(const PlanOptions& options) {
 std::string text_of(const Plan& plan) {
     std::string text = fmt::format("seed {}, {:.0f} s\n", plan.options.seed, plan.options.span_s);
     for (const PlannedVisit& visit : plan.visits)
-        text += fmt::format("  {:9.3f} s  a visitor, {:.0f} s\n", visit.at_s, visit.length_s);
+        text +=
+            fmt::format("  {:9.3f} s  a visitor{}{}{}, {:.0f} s\n", visit.at_s,
+                        visit.draws ? " who is drawn for" : "", visit.prints ? " who prints" : "",
+                        visit.reads ? " who reads braille" : "", visit.length_s);
     for (const PlannedCause& cause : plan.causes)
         text += fmt::format("  {:9.3f} s  {}, {:.4f} s\n", cause.at_s, kind_of(cause.fault).name,
                             cause.span_s);

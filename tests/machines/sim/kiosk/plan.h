@@ -128,6 +128,10 @@ struct PlannedVisit {
     double at_s = 0.0;
     double length_s = 0.0;  // then the visitor says goodbye, or walks away
     std::uint64_t seed = 0;
+    // Where the site offers it:
+    bool draws = false;   // somebody draws for the visitor
+    bool prints = false;  // wants a sheet to take home
+    bool reads = false;   // by the braille display
 };
 
 struct PlannedCause {
@@ -137,21 +141,31 @@ struct PlannedCause {
     std::uint64_t seed = 0;
 };
 
+/// What a site has beside.
+struct SiteOffers {
+    bool drawing = false;
+    bool printer = false;
+    bool braille = false;
+};
+
 struct PlanOptions {
     std::uint64_t seed = 1;
     double span_s = 3600.0;             // site time
     std::uint64_t faults = all_faults;  // kinds that may occur
     double until_s = 1e9;               // no fault begins later; narrows down which ones matter
+    bool is_plain = false;              // nothing of SiteOffers, as all sites were at first
 };
 
 struct Plan {
     PlanOptions options;
+    SiteOffers offers;
     std::vector<PlannedVisit> visits;  // by time, far enough apart
     std::vector<PlannedCause> causes;  // by time
 };
 
 /// Each kind of fault has its own dice: leaving one out changes nothing for the others. Each seed
-/// leaves some kinds out altogether, and one seed in eight leaves all out.
+/// leaves some kinds out altogether, and one seed in eight leaves all out. The same holds for what
+/// a site offers: where it offers nothing, all is as if it were plain.
 [[nodiscard]] Plan make_plan(const PlanOptions& options);
 
 /// Returns the plan for people, one event a line.

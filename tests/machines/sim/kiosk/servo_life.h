@@ -24,6 +24,8 @@ enum class Sabotage : std::uint8_t {
     silent_sound,    // nothing that is said or given is heard
     deaf_guard,      // a silent servo is not killed
     lost_jobs,       // no picture ever comes
+    kept_pages,      // what was printed stays in the printer's spool
+    deaf_display,    // nothing that is said reaches the braille display
 };
 
 /// What the site gives a servo process. All must outlive it.

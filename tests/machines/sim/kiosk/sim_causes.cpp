@@ -17,6 +17,8 @@ constexpr double guard_gives_up_s = 0.5;  // on a kiosk whose main thread is stu
 constexpr double job_s = 0.03;            // a usual load job
 constexpr double staff_comes_s = 1.0;
 constexpr double staff_takes_s = 3.0;
+constexpr std::uint64_t of_drawer = 6;
+constexpr std::uint64_t of_reader = 7;
 constexpr double staff_homes = 0.04;  // chance that they home the device before a visit
 
 }  // namespace
@@ -228,6 +230,16 @@ void SimHouse::spoil_settings(bool are_spoiled) {
         std::ofstream(file) << "[feel\nstiffness = \x01 nan 1e999\n";
     else
         fs::remove(file, error);
+    if (!are_spoiled) write_settings();
+}
+
+/// The site's own. One that offers nothing beside has no file.
+void SimHouse::write_settings() const {
+    const SiteOffers& offers = plan_.offers;
+    if (!offers.drawing && !offers.printer) return;
+    std::ofstream file(folder_ / "site" / "kiosk.toml");
+    if (offers.drawing) file << "[feel]\noffers_drawing = true\n";
+    if (offers.printer) file << "[print]\nprinter = 'sheets'\n";
 }
 
 JobFate SimHouse::fate_of_job() {
@@ -252,7 +264,10 @@ JobFate SimHouse::fate_of_job() {
 void SimHouse::welcome() {
     if (!visitor_ && next_visit_ < plan_.visits.size() &&
         plan_.visits[next_visit_].at_s <= now_s_) {
-        visitor_.emplace(plan_.visits[next_visit_++]);
+        const PlannedVisit& visit = plan_.visits[next_visit_++];
+        visitor_.emplace(visit);
+        if (visit.draws) drawer_.emplace(Dice::of(visit.seed, of_drawer).next());
+        if (visit.reads) reader_.emplace(Dice::of(visit.seed, of_reader).next());
         ++figures_.visits;
         if (dice_.is_hit(staff_homes)) kiosk_->press(Key{'O'});
     }
@@ -263,13 +278,31 @@ void SimHouse::welcome() {
     const auto role = visitor_->act(place);
     if (visitor_->is_gone()) {
         visitor_.reset();
+        if (drawer_) figures_.strokes += drawer_->strokes();
+        if (reader_) figures_.turned_pages += reader_->turned();
+        drawer_.reset();
+        reader_.reset();
+        if (kiosk_->braille) kiosk_->braille->is_plugged_in = false;
         kiosk_->sticks->pull();
         return;
     }
     if (!role) return;
     ++figures_.keys;
     answers_.ask(now_s_, heard_ever());
-    kiosk_->press(*role);
+    press(*role);
+}
+
+/// On the keypad or on the braille display.
+void SimHouse::press(KeyRole role) {
+    const auto& line = kiosk_->braille;
+    reader_&& line && reader_->takes_key(*line) ? line->press(role) : kiosk_->press(role);
+}
+
+/// Those who are with the visitor, until the visitor leaves.
+void SimHouse::accompany() {
+    if (!visitor_ || visitor_->is_leaving(now_s_)) return;
+    if (drawer_) drawer_->act(*kiosk_, now_s_);
+    has_read_ = reader_ && kiosk_->braille && reader_->act(*kiosk_->braille, now_s_);
 }
 
 /// Clears what only a person may clear, some seconds later.

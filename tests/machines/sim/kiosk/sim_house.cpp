@@ -27,6 +27,7 @@ constexpr double most_jitter_s = 6e-5;    // of a tick's start
 constexpr int most_zero_tries = 100;      // by the guard
 constexpr double between_tries_s = 0.01;  // by the guard
 constexpr std::uint64_t of_schedule = 3;
+constexpr std::uint64_t of_printer = 5;
 
 /// Each run has its own folder.
 fs::path own_folder() {
@@ -58,10 +59,13 @@ SimHouse::SimHouse(const Plan& plan, Sabotage sabotage)
       actors_{Actor{&SimHouse::follow_plan, plan_s}, Actor{&SimHouse::frame, frame_s},
               Actor{&SimHouse::guard, beat_s}, Actor{&SimHouse::sound, sound_s},
               Actor{&SimHouse::servo_main, look_s}},
+      printer_(now_s_, Dice::of(plan.options.seed, of_printer).next()),
       force_limits_(default_profile()) {
     stored_.is_measured = true;
     fs::remove_all(folder_);
-    fs::create_directories(folder_);
+    fs::create_directories(folder_ / "site");
+    write_settings();
+    if (sabotage == Sabotage::kept_pages) printer_.keep_all();
     // Shuffles who acts first when several are due.
     for (std::size_t i = actors_.size(); i > 2; --i)
         std::swap(actors_[i - 1], actors_[1 + dice_.below(i - 1)]);
@@ -95,6 +99,7 @@ SimFigures SimHouse::run() {
     figures_.failure = findings_.first();
     figures_.failed_seeds = figures_.failure ? 1 : 0;
     if (kiosk_) figures_.pictures += kiosk_->servo->pictures;
+    figures_.sheets = printer_.sheets();
     return figures_;
 }
 
@@ -104,7 +109,10 @@ void SimHouse::start_kiosk() {
                    [this] {
                        const auto minute = static_cast<int>(now_s_ / 60.0);
                        return (12 * 60 + minute + minutes_stepped_) % (24 * 60);
-                   }});
+                   },
+                   plan_.offers.printer ? &printer_ : nullptr, plan_.offers.braille});
+    pages_.begin_anew(now_s_);
+    line_.begin_anew();
     session_rules_.begin_anew();
     answers_.excuse(now_s_);
     frames_off_until_s_ = 0.0;
@@ -263,7 +271,10 @@ void SimHouse::servo_main() {
 void SimHouse::frame() {
     if (!is_kiosk_up() || now_s_ < frames_off_until_s_) return;
     heard_->now_s = now_s_;
+    if (kiosk_->braille) kiosk_->braille->now_s = now_s_;
+    printer_.step();
     welcome();
+    accompany();
     staff();
     kiosk_->kiosk->step(std::llround(1e9 * now_s_));
     (void)kiosk_->kiosk->take_report();

@@ -5,11 +5,15 @@
 #include "app/force/servo/running_servo.h"
 #include "audio-cues/cues/cue_table.h"
 #include "tests/machines/sim/kiosk/checkers/force.h"
+#include "tests/machines/sim/kiosk/checkers/offers.h"
 #include "tests/machines/sim/kiosk/checkers/safety.h"
 #include "tests/machines/sim/kiosk/checkers/session.h"
 #include "tests/machines/sim/kiosk/figures.h"
 #include "tests/machines/sim/kiosk/kiosk_life.h"
 #include "tests/machines/sim/kiosk/servo_life.h"
+#include "tests/machines/sim/kiosk/sim_drawer.h"
+#include "tests/machines/sim/kiosk/sim_printer.h"
+#include "tests/machines/sim/kiosk/sim_reader.h"
 #include "tests/machines/sim/kiosk/sim_visitor.h"
 
 #include <array>
@@ -82,15 +86,19 @@ class SimHouse final : public Clock {
     [[nodiscard]] bool break_house(const PlannedCause& cause);
     void end(SimFault fault);
     void expect_zero(SimFault fault, double after_s = 0.0);
+    void write_settings() const;
     void fill_disk(bool is_full);
     void spoil_settings(bool are_spoiled);
     [[nodiscard]] JobFate fate_of_job();
     void welcome();
+    void accompany();
+    void press(KeyRole role);
     void staff();
 
     // Checks (sim_looks.cpp).
     void look_at_tick();
     void look_at_frame();
+    void look_at_offers(const FrameSight& sight);
     void forget_heard();
     [[nodiscard]] Force force_of(JointTorques torques) const;
     [[nodiscard]] std::size_t heard_ever() const;
@@ -130,6 +138,11 @@ class SimHouse final : public Clock {
     std::size_t next_cause_ = 0;
     std::size_t next_visit_ = 0;
     std::optional<SimVisitor> visitor_;
+    std::optional<SimDrawer> drawer_;
+    std::optional<SimReader> reader_;
+    bool has_read_ = false;  // in this frame
+    std::size_t read_ = 0;   // of what was heard, looked for on the braille display
+    SimPrinter printer_;
     std::vector<Ongoing> ongoing_;
     double kiosk_frozen_until_s_ = 0.0;
     double frames_off_until_s_ = 0.0;
@@ -162,6 +175,9 @@ class SimHouse final : public Clock {
     AnswersChecker answers_;
     ReadinessChecker readiness_;
     QueuesChecker queues_;
+    GrowingLineChecker growing_line_;
+    PagesChecker pages_;
+    LineChecker line_;
 };
 
 }  // namespace touchline

@@ -66,6 +66,10 @@ void SimHouse::look_at_tick() {
     zero_deadline_.look(sight, figures_, findings_);
     no_hand_.look(sight, findings_);
     safety_transitions_.look(sight, findings_);
+    if (sight.tick == nullptr || !kiosk_) return;
+    const auto felt = kiosk_->servo->drawings.find(sight.tick->map_version);
+    const bool is_known = felt != kiosk_->servo->drawings.end();
+    growing_line_.look(sight, is_known ? felt->second : 0, figures_, findings_);
 }
 
 std::size_t SimHouse::heard_ever() const {
@@ -95,6 +99,7 @@ void SimHouse::look_at_frame() {
     sight.is_servo_ready = is_servo_ready();
     sight.is_blocked =
         !ongoing_.empty() || !servo_ || !servo_->is_ticking() || needs_staff() || is_end_wanted_;
+    sight.has_read = std::exchange(has_read_, false);
     sight.commands = kiosk_->servo->told;
     sight.jobs = kiosk_->jobs->waiting();
     sight.dropped_events = servo_ ? servo_->dropped_events() : 0;
@@ -102,6 +107,7 @@ void SimHouse::look_at_frame() {
     answers_.look(sight, figures_, findings_);
     readiness_.look(sight, figures_, findings_);
     queues_.look(sight, findings_);
+    look_at_offers(sight);
     hash_.mix(static_cast<std::uint64_t>(open_screen(kiosk.visit())));
     hash_.mix(static_cast<std::uint64_t>(sight.heard));
     if (now_s_ >= hashed_s_ + 1.0) {
@@ -113,7 +119,17 @@ void SimHouse::look_at_frame() {
     if (heard_->things.size() > most_heard) forget_heard();
 }
 
+void SimHouse::look_at_offers(const FrameSight& sight) {
+    if (plan_.offers.printer) pages_.look(sight, printer_.page_since_s(), findings_);
+    if (!kiosk_->braille) return;
+    if (sabotage_ == Sabotage::deaf_display) kiosk_->braille->contents.forget();
+    const std::span<const HeardThing> heard(heard_->things);
+    line_.look(sight, *kiosk_->braille, heard.subspan(std::exchange(read_, heard.size())),
+               findings_);
+}
+
 void SimHouse::forget_heard() {
+    read_ = 0;
     for (const HeardThing& thing : heard_->things)
         if (!thing.text.empty()) ++figures_.utterances;
     heard_before_ += heard_->things.size();

@@ -26,6 +26,8 @@ constexpr std::array counts{
     Count{"ticks", &SimFigures::ticks},       Count{"visits", &SimFigures::visits},
     Count{"pictures", &SimFigures::pictures}, Count{"keys", &SimFigures::keys},
     Count{"cues", &SimFigures::cues},         Count{"utterances", &SimFigures::utterances},
+    Count{"strokes", &SimFigures::strokes},   Count{"grown", &SimFigures::grown},
+    Count{"sheets", &SimFigures::sheets},     Count{"turned_pages", &SimFigures::turned_pages},
 };
 
 constexpr std::array values{
@@ -36,6 +38,7 @@ constexpr std::array values{
     Value{"most_torque_Nm", &SimFigures::most_torque_Nm},
     Value{"most_rise_N_per_s", &SimFigures::most_rise_N_per_s},
     Value{"most_change_N_per_s", &SimFigures::most_change_N_per_s},
+    Value{"most_grown_N", &SimFigures::most_grown_N},
     Value{"most_given_J", &SimFigures::most_given_J},
     Value{"longest_answer_s", &SimFigures::longest_answer_s},
     Value{"longest_cue_s", &SimFigures::longest_cue_s},
@@ -140,6 +143,9 @@ std::vector<Row> rows_of(const SimFigures& figures) {
           "<= 1500 N/s", verdict(figures.most_change_N_per_s <= 1500.0 * (1.0 + 1e-6))},
          {4, "largest torque of a motor", fmt::format("{:.4f} N m", figures.most_torque_Nm),
           "<= 0.1107 N m", verdict(figures.most_torque_Nm <= 0.9 * 0.123 * (1.0 + 1e-9))},
+         {4, "change of the force by a line that came, beyond the hand's motion",
+          fmt::format("{:.4f} N of {} times", figures.most_grown_N, figures.grown), "<= 0.021 N",
+          figures.grown == 0 ? "reported" : verdict(figures.most_grown_N <= 0.021)},
          {5, "energy given to a hand in a second", fmt::format("{:.4f} J", figures.most_given_J),
           "<= 0.05 J", verdict(figures.most_given_J <= 0.05)},
          {26, "longest from a key or a change to speech or a cue",
@@ -159,9 +165,11 @@ std::vector<Row> rows_of(const SimFigures& figures) {
 std::string lines_of(const SimFigures& figures) {
     std::string text = fmt::format(
         "{} seeds, {} failed: {:.2f} h of the house, {:.2f} h with the servo ({} ticks)\n"
-        "{} visits, {} pictures, {} keys, {} cues of the hand\n",
+        "{} visits, {} pictures, {} keys, {} cues of the hand\n"
+        "{} strokes drawn, {} changes of a drawing under force, {} sheets, {} pages of braille\n",
         figures.seeds, figures.failed_seeds, figures.session_s / 3600.0, figures.servo_s / 3600.0,
-        figures.ticks, figures.visits, figures.pictures, figures.keys, figures.cues);
+        figures.ticks, figures.visits, figures.pictures, figures.keys, figures.cues,
+        figures.strokes, figures.grown, figures.sheets, figures.turned_pages);
     for (const Row& row : rows_of(figures))
         text += fmt::format("  {:2} {}: {} (bar {})\n", row.row, row.figure, row.value, row.bar);
     return text;

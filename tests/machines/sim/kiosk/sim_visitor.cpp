@@ -2,6 +2,7 @@
 
 #include "tests/machines/sim/kiosk/house.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -34,6 +35,7 @@ SimVisitor::SimVisitor(const PlannedVisit& visit) : visit_(visit), dice_(visit.s
                                 VisitItem::gallery,  VisitItem::stick,   VisitItem::camera};
     wish_ = wishes.at(dice_.below(wishes.size()));
     next_key_s_ = visit.at_s;
+    if (visit.draws) wish_ = VisitItem::draw_for_me;
 }
 
 std::optional<KeyRole> SimVisitor::act(const VisitorPlace& place) {
@@ -44,8 +46,7 @@ std::optional<KeyRole> SimVisitor::act(const VisitorPlace& place) {
         is_gone_ = true;
         return std::nullopt;
     }
-    const bool is_leaving = place.now_s > visit_.at_s + visit_.length_s;
-    if (is_leaving && walks_away_) {
+    if (is_leaving(place.now_s) && walks_away_) {
         let_go(place);
         return std::nullopt;
     }
@@ -169,22 +170,22 @@ std::optional<KeyRole> SimVisitor::key(const VisitorPlace& place) {
 }
 
 KeyRole SimVisitor::key_of_screen(const VisitorPlace& place, VisitScreen screen) {
-    const bool is_leaving = place.now_s > visit_.at_s + visit_.length_s;
+    const bool is_going = is_leaving(place.now_s);
     const auto towards = [&place](VisitItem item) {
         const SpokenScreen shown = place.kiosk.screen();
         return id_of_focus(shown) == static_cast<int>(item) ? KeyRole::select : KeyRole::down;
     };
     switch (screen) {
         case VisitScreen::choose:
-            if (is_leaving) return towards(VisitItem::finish);
+            if (is_going) return towards(VisitItem::finish);
             return dice_.is_hit(0.03) ? KeyRole::select : towards(wish_);
         case VisitScreen::confirm:
-            return towards(is_leaving ? VisitItem::yes : VisitItem::no);
+            return towards(is_going ? VisitItem::yes : VisitItem::no);
         case VisitScreen::camera:
-            return is_leaving ? KeyRole::back : towards(VisitItem::take_picture);
+            return is_going ? KeyRole::back : towards(VisitItem::take_picture);
         case VisitScreen::gallery:
         case VisitScreen::stick:
-            if (is_leaving) return KeyRole::back;
+            if (is_going) return KeyRole::back;
             return dice_.is_hit(0.3) ? KeyRole::select : KeyRole::down;
         case VisitScreen::help:
             return KeyRole::back;  // pressed twice it leads out; other keys only explain themselves
@@ -198,14 +199,26 @@ KeyRole SimVisitor::key_of_screen(const VisitorPlace& place, VisitScreen screen)
         case VisitScreen::pages:
         case VisitScreen::settings:
         case VisitScreen::values:
-            return is_leaving ? KeyRole::back : key_while_feeling(place);
+            return is_going ? KeyRole::back : key_while_feeling(place);
         default:
             return KeyRole::select;  // for anything else it asks or says
     }
 }
 
+/// A visitor who wants a sheet goes straight to it, once.
+std::optional<KeyRole> SimVisitor::key_to_sheet(const VisitorPlace& place) const {
+    const Visitor& visitor = place.kiosk.visit().visitor;
+    if (!visit_.prints || visitor.sheets > 0 || visitor.awaits_sheet) return std::nullopt;
+    const SpokenScreen shown = place.kiosk.screen();
+    constexpr int sheet = static_cast<int>(VisitItem::print_sheet);
+    if (std::ranges::find(shown.items, sheet, &ScreenItem::id) == shown.items.end())
+        return std::nullopt;
+    return id_of_focus(shown) == sheet ? KeyRole::select : KeyRole::down;
+}
+
 /// A feeling visitor presses few keys, and now and then wants another picture.
 KeyRole SimVisitor::key_while_feeling(const VisitorPlace& place) {
+    if (const auto key = key_to_sheet(place)) return *key;
     next_key_s_ = place.now_s + dice_.between(1.0, 12.0);
     const double share = dice_.share();
     if (share < 0.5) return KeyRole::down;

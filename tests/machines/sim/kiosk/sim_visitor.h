@@ -42,6 +42,11 @@ class SimVisitor {
     /// True after saying goodbye, or after walking away and not being waited for any more.
     [[nodiscard]] bool is_gone() const { return is_gone_; }
 
+    /// Wants to go now, and does nothing else any more.
+    [[nodiscard]] bool is_leaving(double now_s) const {
+        return now_s > visit_.at_s + visit_.length_s;
+    }
+
     [[nodiscard]] bool holds_handle() const { return holds_; }
 
   private:
@@ -56,6 +61,7 @@ class SimVisitor {
     [[nodiscard]] Doing next_doing(const VisitorPlace& place);
     [[nodiscard]] std::optional<KeyRole> key(const VisitorPlace& place);
     [[nodiscard]] KeyRole key_of_screen(const VisitorPlace& place, VisitScreen screen);
+    [[nodiscard]] std::optional<KeyRole> key_to_sheet(const VisitorPlace& place) const;
     [[nodiscard]] KeyRole key_while_feeling(const VisitorPlace& place);
     [[nodiscard]] Position somewhere(double most_x_m, double most_y_m);
 

@@ -24,14 +24,16 @@ Plan plan_of(std::uint64_t seed, double span_s = short_s) {
     return make_plan(options);
 }
 
-/// Reads a line "SEED SPAN reason" for each; # begins a comment.
+/// Reads a line "SEED SPAN SITE reason" for each, SITE plain or whole; # begins a comment.
 std::vector<PlanOptions> seeds_that_failed() {
     std::ifstream file(TOUCHLINE_SOURCE_DIR "/tests/machines/sim/kiosk/seeds");
     std::vector<PlanOptions> seeds;
     for (std::string line; std::getline(file, line);) {
         if (line.empty() || line.front() == '#') continue;
         PlanOptions options;
-        std::istringstream(line) >> options.seed >> options.span_s;
+        std::string site;
+        std::istringstream(line) >> options.seed >> options.span_s >> site;
+        options.is_plain = site == "plain";
         seeds.push_back(options);
     }
     return seeds;
@@ -102,6 +104,26 @@ TEST(Sabotage, PicturesThatNeverComeAreSeen) {
     EXPECT_EQ(found_by(Sabotage::lost_jobs), "session rules");
 }
 
+/// The first checker that notices it at a site that offers something of SiteOffers.
+std::string found_where(bool SiteOffers::*offered, Sabotage sabotage, double span_s) {
+    for (std::uint64_t seed = 1, tried = 0; tried < 4; ++seed) {
+        const Plan plan = plan_of(seed, span_s);
+        if (!(plan.offers.*offered) || plan.visits.empty()) continue;
+        ++tried;
+        const SimFigures figures = simulate(plan, sabotage);
+        if (figures.failure) return figures.failure->checker;
+    }
+    return "nobody";
+}
+
+TEST(Sabotage, APageThatStaysInTheSpoolIsSeen) {
+    EXPECT_EQ(found_where(&SiteOffers::printer, Sabotage::kept_pages, 900.0), "pages");
+}
+
+TEST(Sabotage, ADisplayThatIsToldNothingIsSeen) {
+    EXPECT_EQ(found_where(&SiteOffers::braille, Sabotage::deaf_display, short_s), "braille");
+}
+
 TEST(Sabotage, AGuardThatLooksAwayIsSeen) {
     // While torque is off, another checker notices it a little later.
     std::string checker = "nobody";
@@ -133,6 +155,27 @@ TEST(Plan, LeavingAKindOutChangesNothingOfTheOthers) {
         });
         EXPECT_TRUE(is_there) << kind_of(cause.fault).name;
     }
+}
+
+TEST(Plan, APlainSiteIsTheSameWithoutWhatItOffers) {
+    int offering = 0;
+    for (std::uint64_t seed = 0; seed < 100; ++seed) {
+        PlanOptions options;
+        options.seed = seed;
+        const Plan whole = make_plan(options);
+        options.is_plain = true;
+        const Plan plain = make_plan(options);
+        ASSERT_EQ(plain.visits.size(), whole.visits.size());
+        ASSERT_EQ(plain.causes.size(), whole.causes.size());
+        for (std::size_t i = 0; i < plain.visits.size(); ++i) {
+            const PlannedVisit& visit = plain.visits[i];
+            EXPECT_EQ(visit.seed, whole.visits[i].seed);
+            EXPECT_FALSE(visit.draws || visit.prints || visit.reads);
+        }
+        const SiteOffers& offers = whole.offers;
+        offering += offers.drawing && offers.printer ? 1 : 0;
+    }
+    EXPECT_GT(offering, 2) << "also several things at one site";
 }
 
 TEST(Plan, SomeSeedsHaveNoFaultAtAllAndEveryKindComesInSome) {

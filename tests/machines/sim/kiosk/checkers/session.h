@@ -93,7 +93,8 @@ class AnswersChecker {
         if (is_asked_by_fault_ && fault == Fault::none) asked_s_.reset();
         screen_ = screen;
         fault_ = fault;
-        if (sight.heard != before_ || !is_on || has_moved(sight)) alive_s_ = sight.now_s;
+        if (sight.heard != before_ || !is_on || sight.has_read || has_moved(sight))
+            alive_s_ = sight.now_s;
         look_at_answer(sight, figures, findings);
         look_at_silence(sight, figures, findings);
         before_ = sight.heard;

@@ -34,6 +34,7 @@ struct FrameSight {
     const Kiosk& kiosk;
     std::size_t heard = 0;        // things said and given so far
     bool is_servo_ready = false;  // it ticks without a fault
+    bool has_read = false;        // somebody turned a page of the braille display
     bool is_blocked = false;      // waits for a person, the guard's pause or a fault's end
     ServoCommands commands{};     // as the kiosk told them last
     std::size_t jobs = 0;         // load jobs
