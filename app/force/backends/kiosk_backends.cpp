@@ -1,6 +1,7 @@
 #include "app/force/backends/kiosk_backends.h"
 
 #include "app/force/backends/inverse3.h"
+#include "app/force/backends/motors.h"
 #include "app/force/backends/usb_board.h"
 
 #include <algorithm>
@@ -11,6 +12,8 @@ namespace {
 
 constexpr std::array rows{
     KioskBackend{"usb-board", find_usb_board, command_usb_board},
+    KioskBackend{"moteus", find_moteus, command_moteus},
+    KioskBackend{"odrive", find_odrive, command_odrive},
     KioskBackend{"inverse3", find_inverse3, command_inverse3},
 };
 

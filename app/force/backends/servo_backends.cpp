@@ -1,6 +1,7 @@
 #include "app/force/backends/servo_backends.h"
 
 #include "app/force/servo/inverse3_arm.h"
+#include "app/force/servo/motors_device.h"
 #include "app/force/servo/usb_device.h"
 
 #include <algorithm>
@@ -18,6 +19,18 @@ Result<OpenedDevice> open_usb_board(std::span<const std::string> words, const Op
         [&opening](const UsbDevice& device) { return open_usb_device(device, opening); });
 }
 
+template <MotorsMake make>
+bool are_motors(std::span<const std::string> words) {
+    return motors_of(make, words).has_value();
+}
+
+template <MotorsMake make>
+Result<OpenedDevice> open_motors_of(std::span<const std::string> words, const Opening& opening) {
+    return motors_of(make, words).and_then([&opening](const MotorsDevice& device) {
+        return open_motors(device, opening);
+    });
+}
+
 /// Its name, or nothing for the only one.
 bool is_arm(std::span<const std::string> words) {
     return words.size() == 1 && (words[0].empty() || ArmName::of(words[0]));
@@ -30,6 +43,8 @@ Result<OpenedDevice> open_arm(std::span<const std::string> words, const Opening&
 
 constexpr std::array rows{
     ServoBackend{"usb-board", is_usb_board, open_usb_board},
+    ServoBackend{"moteus", are_motors<MotorsMake::moteus>, open_motors_of<MotorsMake::moteus>},
+    ServoBackend{"odrive", are_motors<MotorsMake::odrive>, open_motors_of<MotorsMake::odrive>},
     ServoBackend{"inverse3", is_arm, open_arm},
 };
 

@@ -1,3 +1,4 @@
+#include "app/force/backends/stop_wanted.h"
 #include "app/force/backends/usb_board.h"
 #include "app/force/device/board_files.h"
 #include "app/force/device/device_words.h"
@@ -6,8 +7,6 @@
 #include "haptics/device/board/usb_boards.h"
 #include "haptics/servo/real_time.h"
 
-#include <atomic>
-#include <csignal>
 #include <ostream>
 #include <utility>
 #include <vector>
@@ -16,19 +15,6 @@
 
 namespace touchline {
 namespace {
-
-std::atomic<bool> is_stop_wanted{false};
-
-void want_stop(int) {
-    is_stop_wanted = true;
-}
-
-void catch_signals() {
-    static_assert(std::atomic<bool>::is_always_lock_free);
-    std::signal(SIGINT, want_stop);
-    std::signal(SIGTERM, want_stop);
-    std::signal(SIGHUP, want_stop);
-}
 
 /// A board before its first command, and its USB, which outlives it.
 struct TakenUnit {
@@ -113,7 +99,7 @@ Result<void> probe(TakenUnit& unit, std::ostream& out) {
     MonotonicClock clock;
     TickSchedule schedule(clock.now_ns(), 1'000'000);
     LatenessHistogram lateness;
-    for (int i = 0; i < asked && !is_stop_wanted; ++i) {
+    for (int i = 0; i < asked && !is_stop_wanted(); ++i) {
         clock.sleep_until(schedule.due_ns());
         lateness.add(clock.now_ns() - schedule.due_ns());
         (void)board.read_angles(schedule.due_s());
@@ -137,7 +123,7 @@ Result<void> probe(TakenUnit& unit, std::ostream& out) {
 }
 
 Procedure procedure(PantographBoard& board, Clock& clock, std::ostream& out) {
-    return {board, clock, [] { return !is_stop_wanted; },
+    return {board, clock, [] { return !is_stop_wanted(); },
             [&out](const std::string& line) { out << plain_line(line) << std::endl; }};
 }
 
@@ -236,7 +222,7 @@ Result<void> with_unit(const DeviceCommandOptions& options, std::ostream& out) {
 
 CommandEnd command_usb_board(const DeviceCommandOptions& options, std::ostream& out) {
     if (options.action == DeviceAction::list) return {true, list(out)};
-    catch_signals();
+    catch_stop_signals();
     if (options.action == DeviceAction::stop) return stop(options, out);
     return {true, with_unit(options, out)};
 }

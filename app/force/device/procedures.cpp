@@ -25,7 +25,8 @@ constexpr const char* motor_test = "the test of the motors";
 /// Varies repeated words, for the same words twice are not heard where only a change is spoken.
 class Speech {
   public:
-    explicit Speech(const Procedure& procedure) : say_(procedure.say) {}
+    template <class Device>
+    explicit Speech(const ProcedureOf<Device>& procedure) : say_(procedure.say) {}
 
     void say(const std::string& words) {
         last_ = words == last_ ? words_again(words) : words;
@@ -37,13 +38,40 @@ class Speech {
     std::string last_;
 };
 
-std::int64_t end_of(const Procedure& procedure) {
+bool is_lost(const PantographBoard& board) {
+    return board.report().state == BoardState::lost;
+}
+
+bool is_lost(const MotorPantograph& motors) {
+    return motors.report().state == DriveState::lost ||
+           motors.report().state == DriveState::refused;
+}
+
+bool has_jumped(const PantographBoard& board) {
+    return board.report().state == BoardState::jumped;
+}
+
+bool has_jumped(const MotorPantograph& motors) {
+    return motors.report().state == DriveState::jumped;
+}
+
+const BoardFrame& frame_of(const PantographBoard& board) {
+    return board.frame();
+}
+
+/// For words alone: motor 1 is that of joint 1.
+BoardFrame frame_of(const MotorPantograph& motors) {
+    return {motors.frame().profile(), Calibration{}};
+}
+
+template <class Device>
+std::int64_t end_of(const ProcedureOf<Device>& procedure) {
     return procedure.clock.now_ns() + static_cast<std::int64_t>(procedure.longest_s * 1e9);
 }
 
 /// Runs ticks until `step(angles, dt_s)` returns no torques, or until the end. Writes zero last.
-template <class Step>
-Ending run_ticks(const Procedure& procedure, std::int64_t end_ns, Step step) {
+template <class Device, class Step>
+Ending run_ticks(const ProcedureOf<Device>& procedure, std::int64_t end_ns, Step step) {
     TickSchedule schedule(procedure.clock.now_ns(), period_ns);
     double last_s = 0.0;
     Ending ending = Ending::finished;
@@ -57,7 +85,7 @@ Ending run_ticks(const Procedure& procedure, std::int64_t end_ns, Step step) {
         if (!procedure.goes_on()) ending = Ending::stopped;
         if (procedure.clock.now_ns() > end_ns) ending = Ending::out_of_time;
         if (procedure.board.report().is_position_doubtful) ending = Ending::misplaced;
-        if (procedure.board.report().state == BoardState::lost) ending = Ending::lost;
+        if (is_lost(procedure.board)) ending = Ending::lost;
         if (ending != Ending::finished) break;
         const bool is_zero = *torques == JointTorques{};
         if (!is_zero) procedure.mark_force(true);
@@ -83,7 +111,8 @@ tl::unexpected<Error> failed(Ending ending, const std::string& what) {
     }
 }
 
-Ending wait(const Procedure& procedure, std::int64_t end_ns, double pause_s) {
+template <class Device>
+Ending wait(const ProcedureOf<Device>& procedure, std::int64_t end_ns, double pause_s) {
     return run_ticks(procedure, end_ns, [&](const auto&, double dt_s) {
         pause_s -= dt_s;
         return pause_s > 0.0 ? std::optional(JointTorques{}) : std::nullopt;
@@ -101,16 +130,18 @@ bool is_in_the_middle(const DeviceProfile& profile, const std::optional<JointAng
 
 /// Runs until the handle has been in the middle for long enough to let go of it, and everything was
 /// said. On the way there from the stretched arms, a jump of the tip means nothing.
-Ending lead_to_the_middle(const Procedure& procedure, std::int64_t end_ns, Speech& speech) {
+template <class Device>
+Ending lead_to_the_middle(const ProcedureOf<Device>& procedure, std::int64_t end_ns,
+                          Speech& speech) {
     double there_s = 0.0, since_s = 0.0, away_s = 0.0;
     return run_ticks(procedure, end_ns, [&](const auto& angles, double dt_s) {
-        PantographBoard& board = procedure.board;
-        if (board.report().state == BoardState::jumped) board.accept_position();
+        Device& board = procedure.board;
+        if (has_jumped(board)) board.accept_position();
         const bool is_there = is_in_the_middle(board.frame().profile(), angles);
         since_s += dt_s;
         there_s = is_there ? there_s + dt_s : 0.0;
         away_s = is_there ? 0.0 : away_s + dt_s;
-        if (away_s >= outside_s) speech.say(words_outside_the_middle(board.frame()));
+        if (away_s >= outside_s) speech.say(words_outside_the_middle(frame_of(board)));
         if (away_s >= outside_s) away_s = 0.0;
         const bool is_over = there_s >= let_go_s && since_s >= words_s;
         return is_over ? std::nullopt : std::optional(JointTorques{});
@@ -118,13 +149,15 @@ Ending lead_to_the_middle(const Procedure& procedure, std::int64_t end_ns, Speec
 }
 
 /// `before`: what was said last; it is said before what to do now.
-Result<NudgeTest> nudge(const Procedure& procedure, std::int64_t end_ns, Speech& speech,
+template <class Device>
+Result<NudgeTest> nudge(const ProcedureOf<Device>& procedure, std::int64_t end_ns, Speech& speech,
                         const std::string& before) {
-    speech.say(before + words_of(NudgeVerdict::running, procedure.board.frame()));
+    const BoardFrame& frame = frame_of(procedure.board);
+    speech.say(before + words_of(NudgeVerdict::running, frame));
     if (const Ending ending = lead_to_the_middle(procedure, end_ns, speech);
         ending != Ending::finished)
         return failed(ending, motor_test);
-    NudgeTest test(encoder_quantum(procedure.board.frame().calibrated_profile()));
+    NudgeTest test(encoder_quantum(frame.calibrated_profile()));
     const Ending ending = run_ticks(procedure, end_ns, [&](const auto& angles, double dt_s) {
         const JointTorques torques = test.step(angles, dt_s);
         const bool is_over = test.verdict() != NudgeVerdict::running;
@@ -189,6 +222,27 @@ Result<Calibration> try_motors(const Procedure& procedure, bool may_learn, std::
         const double pause_s =
             is_wrong(verdict) ? std::numeric_limits<double>::infinity() : between_tries_s;
         if (const Ending ending = wait(procedure, end_ns, pause_s); ending != Ending::finished)
+            return failed(ending, motor_test);
+    }
+}
+
+Result<void> try_motors(const MotorsProcedure& procedure) {
+    const std::int64_t end_ns = end_of(procedure);
+    const BoardFrame frame = frame_of(procedure.board);
+    Speech speech(procedure);
+    while (true) {
+        const auto tried = nudge(procedure, end_ns, speech, {});
+        if (!tried) return tl::unexpected(tried.error());
+        const NudgeVerdict verdict = tried->verdict();
+        if (verdict == NudgeVerdict::works) return {};
+        if (is_wrong(verdict))
+            return failure(
+                "the motors moved other arms, or moved them the other way, than they were told: "
+                "set "
+                "up direction and order of the motors again");
+        speech.say(words_of(verdict, frame));
+        if (const Ending ending = wait(procedure, end_ns, between_tries_s);
+            ending != Ending::finished)
             return failed(ending, motor_test);
     }
 }

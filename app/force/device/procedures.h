@@ -1,11 +1,13 @@
-// Homing and the test of the motors, with a board and a person: a thousand ticks a second, and
-// words when there is something to do. A board needs both before its first force. Threads: one;
-// calls wait until they are done.
+// Homing and the test of the motors, with a device and a person: a thousand ticks a second, and
+// words when there is something to do. A board needs both before its first force; motors with
+// controllers of their own know where they are and need the test. Threads: one; calls wait until
+// they are done.
 #pragma once
 
 #include "config/types/calibration.h"
 #include "config/types/result.h"
 #include "haptics/device/board/pantograph_board.h"
+#include "haptics/device/drives/motor_pantograph.h"
 #include "haptics/device/nudge_test.h"
 #include "haptics/servo/real_time.h"
 
@@ -14,8 +16,9 @@
 
 namespace touchline {
 
-struct Procedure {
-    PantographBoard& board;
+template <class Device>
+struct ProcedureOf {
+    Device& board;
     Clock& clock;
     std::function<bool()> goes_on;                // called each tick; false: stop
     std::function<void(const std::string&)> say;  // a line for the person
@@ -23,6 +26,9 @@ struct Procedure {
     /// Called with true before a torque is asked of the board, with false once it holds zero again.
     std::function<void(bool)> mark_force = [](bool) {};
 };
+
+using Procedure = ProcedureOf<PantographBoard>;
+using MotorsProcedure = ProcedureOf<MotorPantograph>;
 
 struct Homed {
     Calibration unit;
@@ -42,8 +48,12 @@ struct Homed {
 [[nodiscard]] Result<Calibration> try_motors(const Procedure& procedure, bool may_learn,
                                              std::string before = {});
 
-/// Both of the above: what a board needs before its first force. Learns the motors if homing has
-/// just measured the unit.
+/// The same for motors with controllers of their own, which learn nothing: a wrong verdict fails,
+/// and says what was set up wrong.
+[[nodiscard]] Result<void> try_motors(const MotorsProcedure& procedure);
+
+/// Both of the first two: what a board needs before its first force. Learns the motors if homing
+/// has just measured the unit.
 [[nodiscard]] Result<Calibration> make_ready(const Procedure& procedure, const Calibration& stored);
 
 /// After homing, asks the person to let go of the handle in the middle and twitches it once. Fails

@@ -13,6 +13,7 @@ constexpr double longest_set_up_s = 0.8;    // controllers measure their current
 constexpr int most_attempts = 3;
 constexpr int jumps_that_count = 3;
 constexpr double pause_s = 0.001;
+constexpr int longest_zero_ms = 20;
 constexpr int longest_end_ms = 50;
 
 }  // namespace
@@ -50,22 +51,35 @@ void MotorPantograph::tick_at_rest() {
     (void)write_torques({});
 }
 
-bool MotorPantograph::end_in_zero() {
-    if (!pair_ || report_.state == DriveState::closed) return false;
-    pair_->let_go();
+// States do not matter any more; only what the controllers confirm does. Ages go on, for a driver
+// that was at work may be read again.
+bool MotorPantograph::wait_for_zero(int longest_ms) {
     is_held_zero_ = false;
-    for (int i = 0; i < longest_end_ms && !is_held_zero_; ++i) {
+    for (int i = 0; i < longest_ms && !is_held_zero_; ++i) {
         (void)pair_->tell({});
         pair_->rest(pause_s);
         const PairNews news = pair_->step(pause_s);
         if (news.state == PairState::gone) break;
         is_held_zero_ = news.is_held_zero;
+        if (last_s_) *last_s_ += pause_s;
+        angles_age_s_ += pause_s;
+        answer_age_s_ += pause_s;
+        if (report_.state == DriveState::ready && news.turns) take(*news.turns);
     }
     return is_held_zero_;
 }
 
+bool MotorPantograph::end_in_zero() {
+    if (!pair_ || report_.state == DriveState::closed) return false;
+    if (report_.state == DriveState::ready && wait_for_zero(longest_zero_ms)) return true;
+    pair_->let_go();
+    return wait_for_zero(longest_end_ms);
+}
+
 bool MotorPantograph::stop() {
-    const bool is_zero = end_in_zero();
+    if (!pair_) return false;
+    pair_->let_go();
+    const bool is_zero = wait_for_zero(longest_end_ms);
     pair_.reset();
     report_.state = is_zero ? DriveState::closed : DriveState::lost;
     return is_zero;

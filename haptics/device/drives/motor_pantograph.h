@@ -56,11 +56,14 @@ class MotorPantograph final : public JointDevice {
     /// if they could not be passed on. A torque that is not finite counts as zero and is reported.
     [[nodiscard]] bool write_torques(JointTorques torques) override;
 
-    /// Lets the motors go and waits until both controllers have confirmed it. Takes some
-    /// milliseconds, or 50 before it gives up; then their watchdogs have let go.
+    /// Writes zeros until both controllers have confirmed them, or lets the motors go if that is
+    /// not to be had. Takes some milliseconds, or 70 before it gives up; then their watchdogs have
+    /// let go. For callers that have no next tick.
     bool end_in_zero();
 
-    /// As end_in_zero(), then gives the device back. Nothing is read or written afterwards.
+    /// Lets the motors go, has that confirmed and gives the device back. Also works for controllers
+    /// that another program drove. Takes some milliseconds, or 50 before it gives up. Nothing is
+    /// read or written afterwards.
     bool stop();
 
     /// After `jumped`, or in doubt: takes the angles as they are. Call it only with the force off.
@@ -80,6 +83,7 @@ class MotorPantograph final : public JointDevice {
     void judge_position(JointAngles angles);
     void judge_age();
     void tick_at_rest();
+    bool wait_for_zero(int longest_ms);
 
     std::unique_ptr<MotorPair> pair_;
     DriveFrame frame_;
