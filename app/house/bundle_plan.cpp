@@ -63,13 +63,17 @@ struct Planner {
         const std::string name = name_in_bundle(file);
         const std::string_view text = as_text(file.bytes);
         if (file.name != "kiosk") return bad(name + ": is no file of settings of a kiosk");
-        const auto faults = settings_faults(text, name, SettingLayer::site, languages);
-        if (!faults.empty()) return bad(faults.front());
         if (const auto row = row_of_kiosk_in(text))
             return bad(fmt::format("{}: '{}.{}' belongs to each kiosk itself", name,
                                    setting_rows()[*row].table, setting_rows()[*row].key));
         const auto house = apply_settings(Settings{}, text, name, SettingLayer::site);
         if (!house) return bad(house.error().line);
+        // A kiosk with fewer languages takes a bundle that says nothing of them.
+        const bool sets_languages = house->languages != Settings{}.languages;
+        const auto faults = sets_languages
+                                ? settings_faults(text, name, SettingLayer::site, languages)
+                                : std::vector<std::string>();
+        if (!faults.empty()) return bad(faults.front());
         plan.after = with_settings_of_house(plan.before, *house);
         return {};
     }

@@ -4,8 +4,11 @@
 #include "app/documents/decode/files.h"
 #include "app/documents/models/networks.h"
 #include "app/documents/sticks/listing.h"
+#include "app/house/bundle_making.h"
+#include "app/house/house_keys.h"
 #include "app/operator/pin.h"
 #include "tests/app/kiosk/kiosk_world.h"
+#include "tests/machines/sim/kiosk/house.h"
 
 #include <chrono>
 #include <fstream>
@@ -55,12 +58,7 @@ class PinAndPlug : public testing::Test {
                 heard_ += (said_ = say->text) + '\n';
     }
 
-    /// Opens the operator's screens from the visitors' screen and tries a PIN of zeros and this
-    /// last digit. Ends in the menu, or outside.
-    void try_pin(int last_digit) {
-        for (const KeyRole role : {KeyRole::help, KeyRole::up, KeyRole::up, KeyRole::down,
-                                   KeyRole::down, KeyRole::select})
-            press(role);
+    void type_pin(int last_digit) {
         for (int i = 0; i < 3; ++i) {
             press(KeyRole::down);
             press(KeyRole::select);
@@ -69,6 +67,15 @@ class PinAndPlug : public testing::Test {
         for (int i = 0; i < last_digit; ++i) press(KeyRole::up);
         press(KeyRole::select);
         press(KeyRole::select);
+    }
+
+    /// Opens the operator's screens from the visitors' screen and tries a PIN of zeros and this
+    /// last digit. Ends in the menu, or outside.
+    void try_pin(int last_digit) {
+        for (const KeyRole role : {KeyRole::help, KeyRole::up, KeyRole::up, KeyRole::down,
+                                   KeyRole::down, KeyRole::select})
+            press(role);
+        type_pin(last_digit);
         press(KeyRole::back);  // inside: from the first screen to the menu
         if (operator_->is_inside()) return;
         press(KeyRole::back);
@@ -247,6 +254,102 @@ TEST_F(NetworkOnTheStick, IsTakenByItsChecksumAlone) {
         "figure is damaged, or made for another version of Touchline. Copy it to the USB stick "
         "again.");
     EXPECT_FALSE(is_installed(networks().front()));
+}
+
+/// The other kiosk of the house made a bundle and its key; both are on the stick.
+class BundleOnTheStick : public PinAndPlug {
+  protected:
+    BundleOnTheStick() {
+        const OperatorFiles other = site_files_in(world_.folder() / "other");
+        Settings settings;
+        settings.stiffness_N_per_m = 400.0;
+        settings.screen_inches = 10.0;
+        EXPECT_TRUE(keep_settings(other.settings, settings));
+        const auto key = make_house_key(other.house);
+        const auto bundle =
+            make_bundle(other.house, std::chrono::sys_seconds(std::chrono::hours(1)));
+        EXPECT_TRUE(key && bundle);
+        EXPECT_TRUE(keep_text(stick_ / "other.touchline-key", key_text(*key)));
+        EXPECT_TRUE(write_whole_file((stick_ / "all.touchline-bundle").string(), *bundle));
+        EXPECT_TRUE(keep_pin(files_.pin, "0001"));
+        start();
+        try_pin(1);
+        EXPECT_TRUE(choose("Upkeep"));
+        EXPECT_TRUE(choose("Several kiosks"));
+    }
+
+    /// Chooses an item, once it is there, and waits for what comes of it; returns what is said.
+    std::string answer_to(const std::string& label) {
+        bool is_chosen = false;
+        for (int i = 0; i < 6000 && !is_chosen; ++i) {
+            operator_->put_stick(stick_.string());
+            (void)operator_->poll_stick(language_);
+            is_chosen = choose(label);
+            if (!is_chosen) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
+        EXPECT_TRUE(is_chosen) << label;
+        return answer();
+    }
+
+    std::string answer() {
+        std::vector<OperatorEvent> events;
+        for (int i = 0; i < 6000 && events.empty(); ++i) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+            events = operator_->poll_house();
+        }
+        std::string said;
+        for (const OperatorEvent& event : events)
+            for (const OperatorOrder& order : operator_->apply(event, language_, now_s_))
+                if (const auto* const say = std::get_if<Say>(&order)) said += say->text;
+        return said;
+    }
+
+    void trust_key() {
+        EXPECT_NE(answer_to("other").find("Compare these digits"), std::string::npos);
+        ASSERT_TRUE(choose("Trust this house key"));
+        type_pin(1);
+        EXPECT_EQ(answer(), "Bundles of this house are taken from now on.");
+    }
+
+    fs::path stick_ = world_.folder() / "stick";
+};
+
+TEST_F(BundleOnTheStick, ChangesNothingWithoutTheHouseKey) {
+    EXPECT_EQ(answer_to("all"), "This kiosk has no house key. Install the house key first.");
+    EXPECT_FALSE(operator_->take_note().empty()) << "the log says more";
+    EXPECT_FALSE(operator_->read_again());
+}
+
+TEST_F(BundleOnTheStick, IsToldAppliedAndTakenBack) {
+    Settings own;
+    own.screen_inches = 24.0;
+    EXPECT_TRUE(keep_settings(files_.settings, own));
+    trust_key();
+    const std::string told = answer_to("all");
+    EXPECT_NE(told.find("Firmness: from 500 newtons per metre to 400"), std::string::npos)
+        << told << operator_->take_note();
+    ASSERT_TRUE(choose("Apply the bundle"));
+    ASSERT_TRUE(choose("Yes"));
+    EXPECT_EQ(answer(), "The bundle is applied.");
+    ASSERT_TRUE(operator_->read_again());
+    EXPECT_EQ(operator_->settings().stiffness_N_per_m, 400.0);
+    EXPECT_EQ(operator_->settings().screen_inches, 24.0) << "the kiosk's own";
+    EXPECT_NE(answer_to("Back to before the bundle").find("from 400 newtons per metre to 500"),
+              std::string::npos);
+    ASSERT_TRUE(choose("Go back"));
+    ASSERT_TRUE(choose("Yes"));
+    EXPECT_EQ(answer(), "All is as before the bundle.");
+    ASSERT_TRUE(operator_->read_again());
+    EXPECT_EQ(operator_->settings(), own);
+}
+
+TEST_F(BundleOnTheStick, IsMadeBesideTheSettings) {
+    EXPECT_NE(answer_to("House key of this kiosk").find("House key of this kiosk"),
+              std::string::npos);
+    press(KeyRole::back);
+    EXPECT_EQ(answer_to("Make a bundle of this kiosk"), "The bundle is in copies.");
+    EXPECT_TRUE(fs::exists(files_.copies / "house.touchline-bundle"));
+    EXPECT_TRUE(fs::exists(files_.copies / "house.touchline-key"));
 }
 
 /// No call of OperatorSession waits for the stick, however slow it is.
