@@ -21,7 +21,9 @@ constexpr std::int64_t period_ns = 1'000'000;
 
 Result<void> absence() {
     return failure(
-        fmt::format("no Inverse3: its service does not answer at port {}", inverse3_port));
+        fmt::format("no Inverse3: its service does not answer at port {} of this computer; start "
+                    "it (systemctl start haply-inverse-service)",
+                    inverse3_port));
 }
 
 MotorDevice motor_device(const std::string& port, const std::string& name,
