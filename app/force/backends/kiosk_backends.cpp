@@ -1,5 +1,6 @@
 #include "app/force/backends/kiosk_backends.h"
 
+#include "app/force/backends/inverse3.h"
 #include "app/force/backends/usb_board.h"
 
 #include <algorithm>
@@ -10,6 +11,7 @@ namespace {
 
 constexpr std::array rows{
     KioskBackend{"usb-board", find_usb_board, command_usb_board},
+    KioskBackend{"inverse3", find_inverse3, command_inverse3},
 };
 
 }  // namespace

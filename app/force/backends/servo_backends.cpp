@@ -1,5 +1,6 @@
 #include "app/force/backends/servo_backends.h"
 
+#include "app/force/servo/inverse3_arm.h"
 #include "app/force/servo/usb_device.h"
 
 #include <algorithm>
@@ -17,8 +18,19 @@ Result<OpenedDevice> open_usb_board(std::span<const std::string> words, const Op
         [&opening](const UsbDevice& device) { return open_usb_device(device, opening); });
 }
 
+/// Its name, or nothing for the only one.
+bool is_arm(std::span<const std::string> words) {
+    return words.size() == 1 && (words[0].empty() || ArmName::of(words[0]));
+}
+
+Result<OpenedDevice> open_arm(std::span<const std::string> words, const Opening& opening) {
+    if (!is_arm(words)) return failure("the name of the Inverse3 is none: see device.port");
+    return open_inverse3(words[0], opening);
+}
+
 constexpr std::array rows{
     ServoBackend{"usb-board", is_usb_board, open_usb_board},
+    ServoBackend{"inverse3", is_arm, open_arm},
 };
 
 const ServoBackend* row_of(std::span<const std::string> words) {

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double oldest_place_s = 0.0045;
 constexpr double pause_of_end_s = 0.001;
-constexpr int longest_end_of_force_ms = 60;
+constexpr int longest_end_of_force_ms = 100;
 constexpr double height_smoothing_s = 0.003;
 
 // D is the picture's frame turned by half a turn, and the service's x and y are the picture's.

@@ -49,7 +49,7 @@ class Inverse3Device final : public ForceDevice {
     /// zero is told.
     [[nodiscard]] bool write(const DeviceCommand& command) override;
 
-    /// Tells zero until write({}) returns true, for at most 60 ms. For callers that have no next
+    /// Tells zero until write({}) returns true, for at most 0.1 s. For callers that have no next
     /// tick.
     bool end_in_zero();
 

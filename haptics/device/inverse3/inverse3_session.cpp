@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -62,7 +63,14 @@ std::string_view words_of(Hindrance hindrance) {
 Inverse3Session::Inverse3Session(std::string_view name)
     : wanted_(name), refusal_("the Inverse3's service has not named its devices yet") {}
 
+void Inverse3Session::begin(double now_s) {
+    if (std::exchange(has_begun_, true)) return;
+    wanted_s_ = now_s;
+    quiet_until_s_ = now_s + unasked_s;
+}
+
 void Inverse3Session::hear(std::string_view text, double now_s) {
+    begin(now_s);
     const bool is_asked_for = owed_ > 0 || !arm_;
     owed_ = std::max(owed_ - 1, 0);
     const auto frame = is_asked_for ? read_frame(text) : std::nullopt;
@@ -76,10 +84,7 @@ void Inverse3Session::hear(std::string_view text, double now_s) {
 }
 
 std::optional<CommandText> Inverse3Session::due(const WantedArmForce& newest, double now_s) {
-    if (!begun_s_) {
-        begun_s_ = wanted_s_ = now_s;
-        quiet_until_s_ = now_s + unasked_s;
-    }
+    begin(now_s);
     const bool is_new = newest.number != told_.number;
     if (is_new) wanted_s_ = now_s;
     if (now_s < quiet_until_s_) return std::nullopt;

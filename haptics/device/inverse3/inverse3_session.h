@@ -70,6 +70,7 @@ class Inverse3Session {
     [[nodiscard]] const ArmNews& news() const { return news_; }
 
   private:
+    void begin(double now_s);
     [[nodiscard]] CommandText ask(double now_s);
     [[nodiscard]] CommandText command(const WantedArmForce& wanted, double now_s);
     void choose(const ServiceFrame& frame, double now_s);
@@ -82,11 +83,11 @@ class Inverse3Session {
     ArmStatus status_;             // what was said last of each
     std::string refusal_;          // why no device is chosen
     ArmNews news_;
-    int owed_ = 0;                   // answers
-    std::optional<double> begun_s_;  // the first time that is known
-    double quiet_until_s_ = 0.0;     // nothing is sent before
-    double sent_s_ = 0.0;            // the newest frame
-    double wanted_s_ = 0.0;          // since when the newest force is wanted
+    int owed_ = 0;                // answers
+    bool has_begun_ = false;      // the time is known
+    double quiet_until_s_ = 0.0;  // nothing is sent before
+    double sent_s_ = 0.0;         // the newest frame
+    double wanted_s_ = 0.0;       // since when the newest force is wanted
     WantedArmForce told_;
 };
 

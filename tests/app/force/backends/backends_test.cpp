@@ -56,6 +56,10 @@ TEST(Backends, TheServoTakesWhatTheKioskMakesOfItsDevice) {
     EXPECT_FALSE(names_device(named("abacus", words)));
     EXPECT_FALSE(names_device(named("usb-board", {"1", "2"})));
     EXPECT_FALSE(names_device(words)) << "the words of an older kiosk";
+    EXPECT_TRUE(names_device(named("inverse3", {""})));
+    EXPECT_TRUE(names_device(named("inverse3", {"04EA"})));
+    EXPECT_FALSE(names_device(named("inverse3", {"04 EA"})));
+    EXPECT_FALSE(names_device(named("inverse3", {})));
     EXPECT_FALSE(names_device({}));
     EXPECT_FALSE(open_named_device(named("abacus", words), {}).has_value());
 }

@@ -59,6 +59,14 @@ TEST(Inverse3Session, TheOnlyDeviceIsChosenAndEachForceIsAnsweredWithAPlace) {
     EXPECT_EQ(news.no_news, 0U);
 }
 
+TEST(Inverse3Session, TheFirstForceGoes50msAfterTheListThatComesFirst) {
+    Inverse3Session session("");
+    const ServiceEmulator service({}, still());
+    session.hear(service.greet(), 1.0);
+    EXPECT_FALSE(session.due({{}, 1}, 1.049));
+    EXPECT_TRUE(session.due({{}, 1}, 1.051));
+}
+
 TEST(Inverse3Session, AnOlderServiceIsToldInItsOwnWords) {
     ServiceTruth older;
     older.has_session = false;

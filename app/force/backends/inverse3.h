@@ -1,0 +1,19 @@
+// The row of the Inverse3: the kiosk's side. Its service names the devices and tells how they are,
+// so nothing is kept of a unit. Threads: any; the calls wait.
+#pragma once
+
+#include "app/force/backends/kiosk_backends.h"
+
+#include <iosfwd>
+#include <optional>
+#include <string>
+
+namespace touchline {
+
+/// As KioskBackend::find. `port`: the device's name, as it is printed on it.
+[[nodiscard]] Result<std::optional<MotorDevice>> find_inverse3(const std::string& port);
+
+/// As KioskBackend::command; `port` or `serial` is the device's name.
+[[nodiscard]] CommandEnd command_inverse3(const DeviceCommandOptions& options, std::ostream& out);
+
+}  // namespace touchline
