@@ -46,4 +46,22 @@ class VisitorBraille : public Interface {
     virtual void forget() = 0;
 };
 
+/// Of a site that has none.
+class NoBraille final : public VisitorBraille {
+  public:
+    void say(const LineText& /*text*/, LineUse /*use*/) override {}
+
+    void rest(const LineText& /*text*/) override {}
+
+    void choose(BrailleUse /*use*/) override {}
+
+    [[nodiscard]] std::optional<LineEvent> next_event() override { return std::nullopt; }
+
+    [[nodiscard]] bool is_there() const override { return false; }
+
+    [[nodiscard]] std::string take_report() override { return {}; }
+
+    void forget() override {}
+};
+
 }  // namespace touchline

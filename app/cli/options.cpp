@@ -3,17 +3,14 @@
 #include "app/cli/commands.h"
 #include "app/documents/packs/pack.h"
 #include "app/force/backends/kiosk_backends.h"
+#include "app/isolation/process/own_folder.h"
 #include "config/types/hand_state.h"
-#include "config/types/pinned.h"
 #include "config/types/utf8.h"
 #include "haptics/pantograph/profile.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
 #include <ostream>
 #include <sstream>
-#include <system_error>
 #include <utility>
 
 #include <CLI/CLI.hpp>
@@ -25,29 +22,6 @@ namespace {
 constexpr int done = 0;
 constexpr int unusable_input = 1;
 constexpr int wrong_usage = 2;
-
-/// A folder for temporary files that goes with its owner.
-class OwnFolder : Pinned {
-  public:
-    OwnFolder() {
-        std::error_code error;
-        const auto parent = std::filesystem::temp_directory_path(error);
-        std::string pattern = (parent / "touchline-XXXXXX").string();
-        if (!error && ::mkdtemp(pattern.data()) != nullptr) path_ = pattern;
-    }
-
-    ~OwnFolder() {
-        std::error_code error;
-        if (is_there()) std::filesystem::remove_all(path_, error);
-    }
-
-    [[nodiscard]] bool is_there() const { return !path_.empty(); }
-
-    [[nodiscard]] const std::string& path() const { return path_; }
-
-  private:
-    std::string path_;
-};
 
 /// "116x84", millimetres.
 std::string parse_area(const std::string& text, Area& area) {
@@ -497,13 +471,13 @@ class CommandLine {
             tell(err, "no folder can be made for temporary files; check the disk and its rights");
             return unusable_input;
         }
-        pack_.library = library.path();
+        pack_.library = library.path().string();
         std::ostringstream installed;  // where nobody else can find it
         const int status = finish(run_pack(pack_, installed), err);
         if (status != done) return status;
         KioskArguments kiosk;
         kiosk.in_window = true;
-        kiosk.tried_library = library.path();
+        kiosk.tried_library = library.path().string();
         return programs.kiosk(kiosk);
     }
 

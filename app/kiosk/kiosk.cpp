@@ -106,7 +106,7 @@ Kiosk::Kiosk(KioskParts parts)
       profile_(parts.profile),
       handle_(std::move(parts.servo), parts.profile, settings_),
       sound_(std::move(parts.sound)),
-      braille_(std::move(parts.braille)),
+      braille_(parts.braille ? std::move(parts.braille) : std::make_unique<NoBraille>()),
       picture_(std::move(parts.loader)),
       sticks_(std::move(parts.sticks)),
       photos_(std::move(parts.photos)),
@@ -167,7 +167,7 @@ void Kiosk::follow_rules() {
     rules_.answer_s = settings_.answer_s;
     rules_.offers_staff = settings_.offers_staff;
     rules_.notice = settings_.notice;
-    if (braille_) braille_->choose(settings_.braille);
+    braille_->choose(settings_.braille);
     rules_.has_printer = printer_ && !settings_.printer.empty();
     if (sticks_)
         sticks_->allow(settings_.more_file_systems ? FileSystems::more : FileSystems::usual);
@@ -181,7 +181,7 @@ void Kiosk::wipe() {
     pictures_.forget();
     if (photos_) photos_->forget();
     sound_->forget();
-    if (braille_) braille_->forget();
+    braille_->forget();
     handle_.wipe();
 }
 

@@ -254,7 +254,7 @@ class Kiosk : private Pinned {
     DeviceProfile profile_;
     KioskHandle handle_;
     std::unique_ptr<VisitorSound> sound_;
-    std::unique_ptr<VisitorBraille> braille_;  // null: there is none
+    std::unique_ptr<VisitorBraille> braille_;
     OrderedPicture picture_;
     Pen pen_;
     std::unique_ptr<FileSource> sticks_;

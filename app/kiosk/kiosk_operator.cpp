@@ -57,7 +57,7 @@ struct Kiosk::OperatorOrderHandler {
     /// After the operator's last words, says the visitors' screen. A PIN cannot be paged back to.
     void operator()(const Leave&) const {
         kiosk.window_wishes_.shows_live_view = false;
-        if (kiosk.braille_) kiosk.braille_->forget();
+        kiosk.braille_->forget();
         kiosk.say({kiosk.language().code(), spoken_screen(kiosk.screen(), kiosk.language()),
                    SpeechPriority::hint});
     }

@@ -8,13 +8,11 @@ namespace touchline {
 /// One hand feels and the other reads, so what the hand is on does not wait on the line.
 void Kiosk::say(const Utterance& utterance) {
     sound_->say(utterance);
-    if (!braille_) return;
     const bool waits = utterance.priority == SpeechPriority::hint && !utterance.is_of_hand;
     braille_->say({utterance.language, utterance.text}, waits ? LineUse::after : LineUse::now);
 }
 
 void Kiosk::follow_braille() {
-    if (!braille_) return;
     while (const auto event = braille_->next_event()) take_line_event(*event);
     if (const std::string line = braille_->take_report(); !line.empty()) report(line);
     if (!braille_->is_there()) return;
@@ -38,7 +36,7 @@ void Kiosk::take_line_event(const LineEvent& event) {
 void Kiosk::forget_words_between_visits(VisitScreen before) {
     const bool was_idle = before == VisitScreen::attract || before == VisitScreen::closed;
     const bool is_over = before == VisitScreen::goodbye && open_screen(visit_) != before;
-    if (braille_ && (is_over || (was_idle && is_visit_on(visit_)))) braille_->forget();
+    if (is_over || (was_idle && is_visit_on(visit_))) braille_->forget();
 }
 
 }  // namespace touchline

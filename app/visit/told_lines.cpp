@@ -250,7 +250,7 @@ constexpr std::array<FaultWords, fault_count> faults{{
     {"The handle pushed harder than it should.", "Hold the handle. Please call the staff.",
      "Hold the handle."},
     {"The handle kept shaking.", "Hold it firmly and choose softer lines. Please call the staff.",
-     "Hold it firmly and choose softer lines."},
+     hold_firmly},
     {"Nobody seems to hold the handle. Its ball may have come off.", call_the_staff,
      "Put the ball on and hold it."},
     {"The handle’s position jumped.", call_the_staff,

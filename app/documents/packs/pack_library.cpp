@@ -170,7 +170,6 @@ void list_pack(const fs::path& folder, const LanguageTag& language, double& rest
         const PackSound* const sound = look->map.title.empty() ? nullptr : sound_of(*info, title);
         pictures.push_back(
             {info->id,
-             title_in(*info, language.text),
              {path.string(), std::move(look->map.title), std::move(look->map.description),
               picture.difficulty ? picture.difficulty : look->difficulty},
              reader.read(sound, longest_name_s)});

@@ -28,8 +28,7 @@ enum class OlderPack : std::uint8_t { ask, take };
 /// One picture of an installed pack. `entry` is as in the gallery, but read it with
 /// read_pack_map().
 struct LibraryPicture {
-    std::string pack;        // its id
-    std::string pack_title;  // in the language
+    std::string pack;  // its id
     GalleryEntry entry;
     /// Of the title, in the language, if it is short (if_short()); else null.
     VoiceRecordingPtr title_recording = {};

@@ -105,7 +105,6 @@ TEST(Library, IsListedInALanguage) {
     ASSERT_EQ(pictures.size(), 2U);
     EXPECT_EQ(pictures[0].entry.title, "Ein Kreis");
     EXPECT_EQ(pictures[0].entry.difficulty, 1);
-    EXPECT_EQ(pictures[0].pack_title, "Formen und ein Boot");
     EXPECT_EQ(pictures[1].entry.title, "Ein Boot");
     ASSERT_EQ(problems.size(), 1U);
     EXPECT_EQ(problems[0].file, "broken/pack.toml");
