@@ -223,9 +223,9 @@ TEST(Pronunciation, TheNamesOfPartsEndWithTheirLetterOrDigit) {
 }
 
 /// Names of things that stay English in every language.
-const std::set<std::string> english_names{"Byte",     "CUPS",      "Office",  "input",  "Escape",
-                                          "Joystick", "Joysticks", "Mark",    "Newton", "Touchline",
-                                          "WAV",      "newton",    "newtons", "toml",   "udisks"};
+const std::set<std::string> english_names{
+    "Byte",   "CUPS",      "Escape", "Joystick", "Joysticks", "Mark",    "Newton", "ODrive",
+    "Office", "Touchline", "WAV",    "input",    "newton",    "newtons", "toml",   "udisks"};
 
 /// Separates words at everything that is not a letter, including hard blanks and typographic signs.
 std::vector<std::string> words_in(const std::string& text) {
