@@ -12,13 +12,23 @@
 
 namespace touchline {
 
+/// The handle of a device with a third axis, along the normal of the drawing plane.
+struct OffPlane {
+    double off_m = 0.0;     // from the plane
+    double m_per_s = 0.0;   // along the normal
+    double on_plane = 1.0;  // 0 ... 1, of the force in the plane that the device makes there
+    double across_N = 0.0;  // what it makes along the normal
+};
+
 /// What a device tells of its handle, in D. A number that is not finite is a fault of the device.
 struct DeviceReading {
     std::optional<Position> p_D;         // nothing: the links cannot be as the joints say
     std::optional<Jacobian> jacobian;    // of a joint device at p_D; nothing: it takes forces
     std::optional<Velocity> velocity_D;  // where the device measures it itself
+    std::optional<OffPlane> off_plane;   // of a device with a third axis
     std::optional<double> handle_rad;    // counter-clockwise, since set-up; if the handle turns
     JointAngles joints;                  // of a joint device: for the servo that takes over
+    bool is_new = true;                  // false: this place was told before
 };
 
 /// What a device is told. Of force and torques one is the device's own, by its kind; the other is

@@ -79,6 +79,7 @@ Force clamped(Force force, double limit_N) {
 
 bool is_sound(const ChainInput& input, double dt_s) {
     return is_finite(input.wanted_D) && is_finite(input.p_D) && is_finite(input.velocity_D) &&
+           std::isfinite(input.across_m_per_s) && std::isfinite(input.across_N) &&
            std::isfinite(input.wanted_turn_Nm) && std::isfinite(input.handle_rad) &&
            std::isfinite(input.turn_rad_per_s) && std::isfinite(dt_s) && dt_s > 0.0 &&
            (!input.jacobian || is_finite(*input.jacobian));
@@ -94,6 +95,15 @@ double pose_gain(const Jacobian& jacobian, const ForceLimits& limits) {
 /// A NaN share lets nothing through.
 double share_of(const ChainInput& input) {
     return input.share > 0.0 ? std::min(input.share, 1.0) : 0.0;
+}
+
+/// Nor does a NaN here.
+double on_plane_of(const ChainInput& input) {
+    return input.on_plane > 0.0 ? std::min(input.on_plane, 1.0) : 0.0;
+}
+
+double speed_of(const ChainInput& input) {
+    return std::hypot(norm(input.velocity_D), input.across_m_per_s);
 }
 
 /// A NaN ceiling lets nothing through either.
@@ -194,7 +204,7 @@ std::uint16_t ForceChain::faults(const ChainInput& input, double dt_s) {
         note(true, Fault::not_finite);
         return found;
     }
-    note(speed_.step(norm(input.velocity_D), dt_s), Fault::too_fast);
+    note(speed_.step(speed_of(input), dt_s), Fault::too_fast);
     const Position moved = has_position_ ? input.p_D - p_D_ : Position{};
     const double turned_rad = has_position_ ? input.handle_rad - handle_rad_ : 0.0;
     energy_.step(last_D_, moved, dt_s, handle_.told_Nm() * turned_rad);
@@ -219,9 +229,9 @@ SafeForce ForceChain::limited(const ChainInput& input, double dt_s) {
     if (safety_.state == ForceState::fault) return none(Limit::fault);
     const bool has_joints = !limits_.continuous_N;
     if (!input.is_placed || (has_joints && !input.jacobian)) return none(Limit::unreachable);
-    const Force target = bounded(input);
+    const bool braked = is_braked(speed_of(input));
+    const Force target = bounded(input, braked);
     // What drives on a fast hand goes at once, not by the slew.
-    const bool braked = is_braked(input.velocity_D);
     if (braked) last_D_ = without_drive(last_D_, input.velocity_D);
     Force force = slewed(target, dt_s);
     if (force != target) limit_by(Limit::slew);
@@ -261,11 +271,12 @@ double ForceChain::plane_share(const ChainInput& input, double dt_s) const {
 }
 
 /// Applies every limit except the slew and the motors'.
-Force ForceChain::bounded(const ChainInput& input) {
+Force ForceChain::bounded(const ChainInput& input, bool is_braked) {
     const double share = share_of(input);
     if (safety_.gain != 1.0 || share != 1.0) limit_by(Limit::gain);
     if (hand_.is_off()) limit_by(Limit::hand);
-    const double pose = limits_.continuous_N ? 1.0 : pose_gain(*input.jacobian, limits_);
+    const double on_plane = limits_.continuous_N ? on_plane_of(input) : 1.0;
+    const double pose = limits_.continuous_N ? on_plane : pose_gain(*input.jacobian, limits_);
     if (pose != 1.0) limit_by(Limit::pose);
     Force force = share * safety_.gain * pose * input.wanted_D;
     const double cool = heat_.allowed();
@@ -276,9 +287,10 @@ Force ForceChain::bounded(const ChainInput& input) {
         limit_by(Limit::damped);
         force += along<Force>(input.velocity_D, -damping);
     }
-    const Force within = clamped(force, share * std::min(limits_.force_N, ceiling_of(input)));
+    const Force within =
+        clamped(force, share * on_plane * std::min(limits_.force_N, ceiling_of(input)));
     if (within != force) limit_by(Limit::force);
-    if (!is_braked(input.velocity_D)) return within;
+    if (!is_braked) return within;
     limit_by(Limit::speed);
     return without_drive(within, input.velocity_D);
 }
@@ -294,7 +306,7 @@ void ForceChain::book(const ChainInput& input, const SafeForce& told, double dt_
     handle_rad_ = input.handle_rad;
     has_position_ = true;
     if (limits_.continuous_N)
-        heat_.bear(told.force_D, dt_s);
+        heat_.bear({norm(told.force_D), input.across_N}, dt_s);
     else
         heat_.step(told.torques, dt_s);
 }

@@ -2,7 +2,8 @@
 // state and gain -> pose (0 near singularities) -> heat of the motors -> damping where energy was
 // given -> vector clamp -> one-sided speed limit -> slew -> joint torques, both scaled together
 // when one motor saturates -> the energy given to the hand is booked. A device that takes forces
-// has no joints: no pose and no torques, but all the rest. Every limit holds for any doubles; if
+// has no joints: no torques, and for the pose how far it is off its plane, but all the rest; the
+// speed is that of all its axes. Every limit holds for any doubles; if
 // anything is in doubt, the force is zero. Threads: one, the servo's. A plain value; no allocation,
 // lock, clock or log.
 #pragma once
@@ -106,6 +107,9 @@ struct ChainInput {
     std::optional<Jacobian> jacobian;  // of the pose of a device with joints, which needs it
     Position p_D;                      // handle, the last known
     Velocity velocity_D;
+    double across_m_per_s = 0.0;  // of a third axis
+    double across_N = 0.0;        // what its device makes along it
+    double on_plane = 1.0;        // 0 ... 1: how much of the force acts where the handle is off it
     double wanted_turn_Nm = 0.0;  // on the hand, counter-clockwise
     double handle_rad = 0.0;      // how far the handle is turned, the last known
     double turn_rad_per_s = 0.0;
@@ -159,7 +163,7 @@ class ForceChain {
     [[nodiscard]] std::uint16_t faults(const ChainInput& input, double dt_s);
     [[nodiscard]] bool is_ringing(std::uint64_t cuts, double dt_s);
     [[nodiscard]] SafeForce limited(const ChainInput& input, double dt_s);
-    [[nodiscard]] Force bounded(const ChainInput& input);
+    [[nodiscard]] Force bounded(const ChainInput& input, bool is_braked);
     [[nodiscard]] double limited_turn(const ChainInput& input, double dt_s);
     [[nodiscard]] double plane_share(const ChainInput& input, double dt_s) const;
     [[nodiscard]] Force slewed(Force target_D, double dt_s) const;

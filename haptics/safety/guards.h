@@ -52,16 +52,18 @@ inline constexpr double too_fast_m_per_s = 1.5;    // a fault ...
 inline constexpr double slow_again_m_per_s = 0.2;  // ... until it was slower than this ...
 inline constexpr double slow_again_s = 1.0;        // ... for so long
 
-/// True if force must not drive the hand on. A NaN velocity counts as fast.
-[[nodiscard]] inline bool is_braked(Velocity velocity) {
-    return !(norm(velocity) <= braked_m_per_s);
+/// True if force must not drive a hand of this speed on. NaN counts as fast.
+[[nodiscard]] inline bool is_braked(double speed_m_per_s) {
+    return !(speed_m_per_s <= braked_m_per_s);
 }
 
 /// Takes away the part of the force that drives the motion on; parts across the motion and against
 /// it stay.
 [[nodiscard]] inline Force without_drive(Force force, Velocity velocity) {
     constexpr double nothing_N = 1e-9;  // squares of much less are lost
+    constexpr double rest_m_per_s = 1e-9;
     if (!(norm(force) > nothing_N)) return {};
+    if (norm(velocity) <= rest_m_per_s) return force;  // fast along a third axis alone
     // Brakes by a trace more than nothing, so that no rounding or scaling makes it drive.
     const double trace = 1e-12 * norm(force) * norm(velocity);
     const double drive = dot(force, velocity) + trace;

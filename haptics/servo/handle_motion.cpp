@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace touchline {
 namespace {
@@ -89,8 +90,11 @@ HandleMotion::HandleMotion(const DeviceProfile& profile)
 
 /// Where the handle is, or was a few ticks ago: a jump is not believed at once.
 void HandleMotion::judge(const StepInput& input, HandleReading& handle) {
-    if (!input.reading || !input.reading->p_D) {
+    const bool is_told = input.reading && input.reading->p_D && is_finite(*input.reading->p_D);
+    if (!is_told || !input.reading->is_new) {
         guard_.miss(handle.dt_s);
+        handle.is_placed = is_told && p_DH_.has_value();
+        if (handle.is_placed) handle.jacobian = jacobian_;
         return;
     }
     const Sample sample = guard_.step(*input.reading->p_D, handle.dt_s);
@@ -118,12 +122,14 @@ HandleReading HandleMotion::step(const DeviceProfile& profile, const StepInput& 
     HandleReading handle;
     handle.dt_s = dt_s;
     judge(input, handle);
-    if (!handle.is_placed || handle.has_jumped) velocity_.reset();
+    const bool begins_anew = !handle.is_placed || handle.has_jumped;
+    if (begins_anew) velocity_.reset();
+    unseen_s_ = begins_anew ? dt_s : unseen_s_ + dt_s;
     if (handle.is_placed) {
         const Position before = p_WH_;
         p_WH_ = picture_from_device(profile, *p_DH_);
         handle.moved = p_WH_ - before;
-        (void)velocity_.step(p_WH_, dt_s);
+        if (input.reading->is_new) (void)velocity_.step(p_WH_, std::exchange(unseen_s_, 0.0));
         turn_.step(input.reading->handle_rad, input.commands.turn_rad,
                    shape_rad.value_or(turn_.angle_rad()), dt_s);
     }

@@ -119,7 +119,9 @@ class HandleMotion {
     /// Advances one tick, `dt_s` > 0 after the one before and `period_s` > 0 by plan. Of a handle
     /// that does not turn, the angle follows the commands, near the held shape at `shape_rad`. A
     /// velocity that the device measured is taken if the positions bear it out to a quarter and
-    /// 0.05 m/s, else that of the positions.
+    /// 0.05 m/s, else that of the positions. A place that is not new tells nothing: the handle is
+    /// where it was, and guard and velocity take the next one for as much older. One that is not
+    /// finite is none.
     [[nodiscard]] HandleReading step(const DeviceProfile& profile, const StepInput& input,
                                      std::optional<double> shape_rad, double period_s, double dt_s);
 
@@ -136,7 +138,8 @@ class HandleMotion {
     double silent_s_ = 0.0;
     VelocityEstimate velocity_;
     HandleTurn turn_;
-    Position p_WH_;  // last known
+    double unseen_s_ = 0.0;  // since the newest place came, in ticks that are placed
+    Position p_WH_;          // last known
 };
 
 }  // namespace touchline

@@ -34,7 +34,7 @@ class Hash {
 };
 
 // Name every member added in tick() or command_fields(); otherwise a run cannot be repeated.
-static_assert(sizeof(StepInput) == sizeof(ServoCommands) + 168);
+static_assert(sizeof(StepInput) == sizeof(ServoCommands) + 216);
 
 template <class Bytes, class Vector>
 void vector(Bytes& bytes, Vector& v) {
@@ -67,8 +67,15 @@ void reading(Bytes& bytes, Reading& told) {
         vector(f, jacobian.joint_2);
     });
     optional(bytes, told.velocity_D, [](auto& f, auto& velocity) { vector(f, velocity); });
+    optional(bytes, told.off_plane, [](auto& f, auto& plane) {
+        f.number(plane.off_m);
+        f.number(plane.m_per_s);
+        f.number(plane.on_plane);
+        f.number(plane.across_N);
+    });
     optional(bytes, told.handle_rad, [](auto& f, auto& angle_rad) { f.number(angle_rad); });
     vector(bytes, told.joints);
+    bytes.flag(told.is_new);
 }
 
 /// A tick's outputs.

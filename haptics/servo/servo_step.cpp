@@ -12,11 +12,17 @@ namespace {
 constexpr double longest_silence_s = 0.02;
 constexpr double ceiling_rise_N_per_s = 1.0;
 
+bool is_finite(const OffPlane& plane) {
+    return std::isfinite(plane.off_m) && std::isfinite(plane.m_per_s) &&
+           std::isfinite(plane.on_plane) && std::isfinite(plane.across_N);
+}
+
 bool is_unreadable(const std::optional<DeviceReading>& told) {
     if (!told) return false;
     const bool is_number = is_finite(told->joints) && is_finite(told->p_D.value_or(Position{})) &&
                            is_finite(told->jacobian.value_or(Jacobian{})) &&
                            is_finite(told->velocity_D.value_or(Velocity{})) &&
+                           is_finite(told->off_plane.value_or(OffPlane{})) &&
                            std::isfinite(told->handle_rad.value_or(0.0));
     return !is_number;
 }
@@ -45,6 +51,11 @@ SafeForce MotorForce::step(const DeviceProfile& profile, const StepInput& input,
     chain.jacobian = handle.jacobian;
     chain.p_D = device_from_picture(profile, handle.p_WH);
     chain.velocity_D = turned(handle.velocity);
+    if (input.reading && input.reading->off_plane) {
+        chain.across_m_per_s = input.reading->off_plane->m_per_s;
+        chain.across_N = input.reading->off_plane->across_N;
+        chain.on_plane = input.reading->off_plane->on_plane;
+    }
     chain.is_unreadable = is_unreadable(input.reading);
     chain.wanted_turn_Nm = wanted.turn_Nm;
     chain.handle_rad = handle.angle_rad;

@@ -47,15 +47,18 @@ std::optional<DeviceReading> Inverse3Device::read(double now_s) {
         return std::nullopt;
     }
     DeviceReading reading;
+    reading.is_new = std::exchange(handed_over_, news.places) != news.places;
     reading.p_D = seen_from_above(news.place_m);
     if (const auto& v = news.velocity_m_per_s) reading.velocity_D = Velocity{-v->x, -v->y};
+    reading.off_plane =
+        OffPlane{off_m_, off_m_per_s_, share_on_plane(spring_, off_m_), told_.force_N.z};
     return reading;
 }
 
 ArmState Inverse3Device::judge(const ArmNews& news) const {
     if (news.is_gone) return ArmState::lost;
     if (news.hindrance != Hindrance::none) return ArmState::hindered;
-    const bool is_in_step = news.answered > 0;
+    const bool is_in_step = news.answered > 0 && news.places > 0;
     return is_in_step && age_s_ < oldest_place_s ? ArmState::ready : ArmState::waiting;
 }
 

@@ -39,7 +39,8 @@ class Inverse3Device final : public ForceDevice {
     /// Calls stop().
     ~Inverse3Device() override;
 
-    /// Returns where the handle is, seen from above, at most 4 ms after the tick in which it came.
+    /// Returns where the handle is, seen from above, at most 4 ms after the tick in which it came;
+    /// until the next one comes, the same, which is not new then.
     /// Returns nothing while the state is not ready.
     [[nodiscard]] std::optional<DeviceReading> read(double now_s) override;
 
@@ -72,10 +73,11 @@ class Inverse3Device final : public ForceDevice {
     PlaneSpring spring_;
     ArmReport report_;
     ArmNews news_;
-    std::optional<double> last_s_;  // on the caller's clock
-    double age_s_ = 0.0;            // since a place came
-    double off_m_ = 0.0;            // above the plane
-    double off_m_per_s_ = 0.0;      // upwards
+    std::uint64_t handed_over_ = 0;  // the number of the place told last
+    std::optional<double> last_s_;   // on the caller's clock
+    double age_s_ = 0.0;             // since a place came
+    double off_m_ = 0.0;             // above the plane
+    double off_m_per_s_ = 0.0;       // upwards
     bool is_height_known_ = false;
     WantedArmForce told_;
     std::uint64_t first_zero_ = 1;  // since the last force

@@ -46,6 +46,8 @@ std::optional<DeviceReading> SimulatedCartesian::read(double now_s) {
     DeviceReading told;
     told.p_D = Position{in_steps(p_D.x, step_m), in_steps(p_D.y, step_m)};
     told.velocity_D = turned(tip().velocity);
+    told.off_plane = OffPlane{off_m(), across_.tip().velocity.x,
+                              share_on_plane(options_.plane, off_m()), acting_.across_N};
     return told;
 }
 

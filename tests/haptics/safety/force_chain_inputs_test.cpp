@@ -156,6 +156,34 @@ TEST(ForceChainInputs, WithoutJointsHeatIsThatOfTheForce) {
     EXPECT_LT(chain.motor_heat(), 0.9);
 }
 
+TEST(ForceChainInputs, WithoutJointsTheForceAcrossThePlaneWarmsToo) {
+    ForceLimits limits = of_forces();
+    limits.warming_s = 0.5;
+    ForceChain chain = live_chain(limits);
+    ChainInput held = wanting({0.9, 0.0});
+    held.across_N = -1.2;
+    EXPECT_NEAR(run(chain, held, 3000).force_D.x, 0.9, 1e-12);
+    EXPECT_NEAR(chain.motor_heat(), 1.5 * 1.5 / (1.8 * 1.8), 5e-3);
+    held.across_N = -1.8;
+    EXPECT_LT(run(chain, held, 3000).plane_share, 1.0) << "the plane is held more softly";
+}
+
+TEST(ForceChainInputs, OffThePlaneTheForceFadesAndWhatIsFastAcrossIsFast) {
+    ForceChain chain = live_chain(of_forces());
+    ChainInput input = wanting({2.0, 0.0});
+    input.on_plane = 0.25;
+    EXPECT_NEAR(run(chain, input).force_D.x, 0.5, 1e-12);
+    input.on_plane = nan;
+    EXPECT_EQ(run(chain, input).force_D, Force{});
+    input.on_plane = 1.0;
+    input.across_m_per_s = 1.2;
+    input.velocity_D = {0.1, 0.0};
+    EXPECT_LE(run(chain, input).force_D.x, 0.0) << "it does not drive";
+    input.across_m_per_s = 1.6;
+    (void)chain.step(input, tick_s);
+    EXPECT_EQ(chain.status().fault, Fault::too_fast);
+}
+
 TEST(ForceChainInputs, ThePlanesShareComesSlowlyOnceArmedAndGoesAtOnce) {
     ForceChain chain(of_forces());
     double before = 0.0;

@@ -30,6 +30,7 @@ class Spoiled final : public ForceDevice {
         auto told = behind_.read(now_s);
         if (is_silent) return std::nullopt;
         if (told) told->p_D = *told->p_D + leap;
+        if (told) told->off_plane->m_per_s += across_m_per_s;
         if (told && velocity_factor != 1.0) told->velocity_D = velocity_factor * *told->velocity_D;
         return told;
     }
@@ -41,6 +42,7 @@ class Spoiled final : public ForceDevice {
 
     bool is_silent = false;
     Position leap;
+    double across_m_per_s = 0.0;
     double velocity_factor = 1.0;
     DeviceCommand written;
 
@@ -162,25 +164,65 @@ TEST(CartesianLoop, ANumberThatIsNoneIsAFaultInTheSameTick) {
         bench.move({0.0, -0.004}, 0.3);
         if (is_velocity) bench.line.velocity_factor = std::numeric_limits<double>::quiet_NaN();
         if (!is_velocity) bench.line.leap.y = std::numeric_limits<double>::infinity();
-        bench.run(tick_s);
-        EXPECT_EQ(bench.report().force.fault, Fault::not_finite);
-        EXPECT_EQ(bench.line.written, DeviceCommand{});
+        for (int i = 0; i < 10; ++i) {
+            bench.run(tick_s);
+            EXPECT_EQ(bench.report().force.fault, Fault::not_finite);
+            EXPECT_EQ(bench.line.written, DeviceCommand{});
+            EXPECT_TRUE(is_finite(bench.report().hand.p_WH) && is_finite(bench.report().hand.p_WP));
+        }
+        bench.line.velocity_factor = 1.0;
+        bench.line.leap = {};
+        ServoCommands commands;
+        commands.faults_cleared = 1;
+        bench.exchange.set(commands);
+        bench.run(0.1);
+        EXPECT_EQ(bench.report().force.fault, Fault::none) << "nothing of it stays";
+        EXPECT_TRUE(std::isfinite(bench.report().hand.speed_m_per_s));
     }
 }
 
 TEST(CartesianLoop, OffThePlaneNothingInItIsFeltAndTheSpringLeadsBack) {
     Bench3 bench;
     bench.move({0.0, -0.004}, 0.3);
-    bench.across->move_to({0.03, 0.0});
+    bench.across->move_to({0.02, 0.0});
     bench.run(0.5);
     ASSERT_GT(bench.device.off_m(), PlaneSpring{}.off_plane_m);
     EXPECT_EQ(bench.device.acting().in_plane_D, Force{});
+    EXPECT_EQ(bench.line.written.force_D, Force{}) << "nor does the chain believe in one";
     EXPECT_DOUBLE_EQ(bench.device.acting().across_N, -PlaneSpring{}.most_N);
     bench.across->move_to({});
     bench.run(0.5);
     EXPECT_LT(std::abs(bench.device.off_m()), 1e-3);
     EXPECT_GT(norm(bench.device.acting().in_plane_D), 0.3);
     EXPECT_LE(bench.most_N, profile().force_limit_N * (1.0 + 1e-12));
+}
+
+TEST(CartesianLoop, ComingDownBehindALineTheForceRisesByItsSlew) {
+    Bench3 bench;
+    bench.across->move_to({0.02, 0.0});
+    bench.run(0.5);
+    bench.move({0.0, -0.02}, 0.3);
+    bench.across->move_to({-0.02, 0.0});  // fast
+    double before_N = 0.0;
+    for (int i = 0; i < 200; ++i) {
+        bench.run(tick_s);
+        const double now_N = norm(bench.line.written.force_D);
+        ASSERT_LE(now_N, before_N + 300.0 * tick_s + 1e-9);
+        before_N = now_N;
+    }
+}
+
+TEST(CartesianLoop, ASpeedAcrossThePlaneIsASpeedOfTheHand) {
+    Bench3 bench;
+    bench.move({0.0, -0.004}, 0.3);
+    bench.line.across_m_per_s = -1.6;
+    bench.run(2.0 * tick_s);
+    EXPECT_EQ(bench.report().force.fault, Fault::too_fast);
+    EXPECT_EQ(bench.line.written, DeviceCommand{}) << "the plane lets go too";
+    Bench3 unsound;
+    unsound.line.across_m_per_s = std::numeric_limits<double>::quiet_NaN();
+    unsound.run(tick_s);
+    EXPECT_EQ(unsound.report().force.fault, Fault::not_finite);
 }
 
 TEST(CartesianLoop, NothingHoldsTheHandleToThePlaneBeforeForceIsArmed) {

@@ -107,6 +107,66 @@ TEST(HandleMotion, AVelocityThatLiesIsNotBelieved) {
         EXPECT_NEAR(believed(factor).x, 0.2, 1e-3) << factor;
 }
 
+/// A hand at this speed of which every third place comes a tick or two late.
+struct LateHand {
+    explicit LateHand(double m_per_s) : speed_m_per_s(m_per_s) {}
+
+    HandleReading step(bool is_new) {
+        StepInput input;
+        input.reading.emplace();
+        if (is_new) last_m = speed_m_per_s * tick_s * ticks - 0.05;
+        ++ticks;
+        input.reading->p_D = device_from_picture(profile, {last_m, 0.0});
+        input.reading->is_new = is_new;
+        return motion.step(profile, input, std::nullopt, tick_s, tick_s);
+    }
+
+    const DeviceProfile& profile = cartesian_profiles().front();
+    HandleMotion motion{profile};
+    double speed_m_per_s;
+    double last_m = -0.05;
+    int ticks = 0;
+};
+
+TEST(HandleMotion, APlaceThatWasToldBeforeIsNoStandStillAndNoLeap) {
+    for (const double speed : {0.2, 0.9, 1.4}) {
+        LateHand hand(speed);
+        for (int i = 0; i < 100; ++i) {
+            const HandleReading seen = hand.step(i % 7 < 3 || i % 7 == 6);
+            EXPECT_TRUE(seen.is_placed);
+            EXPECT_FALSE(seen.has_jumped);
+            EXPECT_NEAR(seen.p_WH.x, hand.last_m, 1e-12);
+            EXPECT_TRUE(i <= 2 || std::abs(seen.velocity.x - speed) < 1e-9) << i;
+        }
+    }
+}
+
+TEST(HandleMotion, APlaceThatWasToldBeforeAndIsTheFirstIsNone) {
+    LateHand hand(0.2);
+    EXPECT_FALSE(hand.step(false).is_placed);
+    EXPECT_TRUE(hand.step(true).is_placed);
+}
+
+TEST(HandleMotion, APlaceThatIsNotFiniteIsNone) {
+    const DeviceProfile& profile = cartesian_profiles().front();
+    for (const bool is_first : {true, false}) {
+        HandleMotion motion(profile);
+        StepInput input;
+        input.reading.emplace();
+        input.reading->p_D = profile.centre;
+        if (!is_first) (void)motion.step(profile, input, std::nullopt, tick_s, tick_s);
+        input.reading->p_D->y = std::numeric_limits<double>::quiet_NaN();
+        for (int i = 0; i < 10; ++i) {
+            const HandleReading handle = motion.step(profile, input, std::nullopt, tick_s, tick_s);
+            EXPECT_FALSE(handle.is_placed);
+            EXPECT_EQ(handle.p_WH, Position{});
+            EXPECT_EQ(handle.velocity, Velocity{});
+        }
+        input.reading->p_D = profile.centre;
+        EXPECT_TRUE(motion.step(profile, input, std::nullopt, tick_s, tick_s).is_placed);
+    }
+}
+
 TEST(HandleMotion, APlaceNeedsNoJacobianAndJointsWithoutAPlaceAreNone) {
     const DeviceProfile& profile = cartesian_profiles().front();
     HandleMotion motion(profile);

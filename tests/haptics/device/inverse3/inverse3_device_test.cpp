@@ -67,7 +67,7 @@ TEST(Inverse3Device, TheThirdAxisIsHeldToThePlane) {
 
 TEST(Inverse3Device, OffThePlaneNothingIsFeltInIt) {
     OpenRig rig;
-    rig.service.lift(0.05);
+    rig.service.lift(0.025);
     (void)rig.tick_for(1.0, push_right);
     EXPECT_GT(rig.device->off_plane_m(), PlaneSpring{}.off_plane_m);
     EXPECT_EQ(rig.service.applied_N().x, 0.0);
@@ -91,6 +91,37 @@ TEST(Inverse3Device, WithoutNewsThereIsNoPlaceAndZeroIsTold) {
     rig.link->spoil(AnswerFault::none);
     EXPECT_TRUE(rig.tick_for(1.0, push_right));
     EXPECT_GT(rig.made_D().x, 0.9);
+}
+
+TEST(Inverse3Device, UntilThePlaceIsKnownThereIsNone) {
+    ServiceTruth truth;
+    truth.arms[0].tells_place = false;
+    OpenRig rig(truth);
+    EXPECT_FALSE(rig.tick_for(0.5, push_right)) << "commands are answered, without a place";
+    EXPECT_EQ(rig.device->report().state, ArmState::waiting);
+    EXPECT_EQ(rig.made_D(), Force{});
+    rig.service.arm().tells_place = true;
+    for (int i = 0; i < 10; ++i) {
+        const auto told = rig.tick();
+        EXPECT_TRUE(!told || norm(*told->p_D - rig.profile.centre) < 1e-3) << "not D's origin";
+    }
+    EXPECT_EQ(rig.device->report().state, ArmState::ready);
+}
+
+TEST(Inverse3Device, APlaceThatWasToldBeforeIsNotNew) {
+    OpenRig rig;
+    rig.hand->move_to({0.05, 0.0});
+    Position before;
+    int repeated = 0;
+    for (int i = 0; i < 200; ++i) {
+        if (i % 20 == 0) rig.link->spoil(AnswerFault::late, 1, 0.0025);
+        const auto told = rig.tick();
+        ASSERT_TRUE(told && told->p_D);
+        EXPECT_TRUE(i == 0 || told->is_new == (*told->p_D != before)) << i;
+        repeated += told->is_new ? 0 : 1;
+        before = *told->p_D;
+    }
+    EXPECT_GE(repeated, 10);
 }
 
 TEST(Inverse3Device, WhatHindersTakesThePlaceAndTheForce) {

@@ -33,15 +33,17 @@ json transform_of(bool is_turned, double scale) {
 
 json state_of(const ArmTruth& arm, Space place_m, Space velocity_m_per_s, Space applied_N) {
     const bool is_idle = applied_N == Space{};
-    return {{"angular_position", {{"a0", -30.9}, {"a1", 53.8}, {"a2", -6.6}}},
-            {"body_orientation", {{"w", 1}, {"x", 0}, {"y", 0}, {"z", 0}}},
-            {"control_domain", is_idle ? "undefined" : "cartesian"},
-            {"control_mode", is_idle ? "idle" : "force"},
-            {"current_cursor_force", rounded(applied_N)},
-            {"cursor_position", rounded(place_m)},
-            {"cursor_velocity", rounded(velocity_m_per_s)},
-            {"mode", is_idle ? "idle" : "force"},
-            {"transform", transform_of(false, arm.has_workspace_scaled ? 2.0 : 1.0)}};
+    json state{{"angular_position", {{"a0", -30.9}, {"a1", 53.8}, {"a2", -6.6}}},
+               {"body_orientation", {{"w", 1}, {"x", 0}, {"y", 0}, {"z", 0}}},
+               {"control_domain", is_idle ? "undefined" : "cartesian"},
+               {"control_mode", is_idle ? "idle" : "force"},
+               {"current_cursor_force", rounded(applied_N)},
+               {"cursor_position", rounded(place_m)},
+               {"cursor_velocity", rounded(velocity_m_per_s)},
+               {"mode", is_idle ? "idle" : "force"},
+               {"transform", transform_of(false, arm.has_workspace_scaled ? 2.0 : 1.0)}};
+    if (!arm.tells_place) state.erase("cursor_position");
+    return state;
 }
 
 json config_of(const ArmTruth& arm) {

@@ -23,6 +23,7 @@ struct ArmTruth {
     bool is_ready = true;
     bool is_mount_turned = false;
     bool has_workspace_scaled = false;
+    bool tells_place = true;
 };
 
 struct ServiceTruth {
