@@ -31,6 +31,8 @@ Result<void> MotorPantograph::open() {
     angles_.reset();
     last_s_.reset();
     attempts_ = 0;
+    jumps_in_a_row_ = 0;
+    has_jumped_ = false;
     begin_set_up();
     while (report_.state == DriveState::setting_up) tick_at_rest();
     last_s_.reset();
@@ -114,16 +116,22 @@ bool MotorPantograph::write_torques(JointTorques torques) {
 void MotorPantograph::accept_position() {
     report_.is_position_doubtful = false;
     jumps_in_a_row_ = 0;
+    has_jumped_ = false;
     angles_.reset();
     if (report_.state == DriveState::jumped) report_.state = DriveState::ready;
 }
 
+// A leap is not forgotten: by the end, the angles before it are so old that a hand could have moved
+// to any place.
 void MotorPantograph::begin_set_up() {
+    set_up_age_s_ = 0.0;
+    begin_arming();
+}
+
+void MotorPantograph::begin_arming() {
     ++report_.set_ups;
     report_.state = DriveState::setting_up;
     report_.trouble = {};
-    set_up_age_s_ = 0.0;
-    jumps_in_a_row_ = 0;
     is_held_zero_ = false;
     whole_.reset();
     pair_->set_up();
@@ -138,6 +146,8 @@ void MotorPantograph::follow(const PairNews& news) {
     } else if (news.state == PairState::refused) {
         report_.state = DriveState::refused;
         report_.trouble = pair_->trouble();
+    } else if (news.state == PairState::astray && report_.state == DriveState::setting_up) {
+        begin_arming();  // on the time of the set-up, or one that never ends would never be told
     } else if (news.state == PairState::astray) {
         begin_set_up();
     } else if (news.state == PairState::ready && news.turns) {
@@ -155,12 +165,13 @@ void MotorPantograph::take(ShaftTurns turns) {
     judge_position(frame_.joint_angles(turns - *whole_));
     if (report_.state != DriveState::setting_up) return;
     attempts_ = 0;
-    report_.state = DriveState::ready;
+    report_.state = has_jumped_ ? DriveState::jumped : DriveState::ready;
     if (!frame_.is_absolute() || !pair_->are_encoders_absolute())
         report_.is_position_doubtful = true;
 }
 
 void MotorPantograph::judge_position(JointAngles angles) {
+    if (has_jumped_) return;
     const double age_s = jumps_in_a_row_ == 0 ? angles_age_s_ : jump_age_s_;
     if (!angles_ || can_a_hand_move(frame_.profile(), *angles_, angles, age_s)) {
         angles_ = angles;
@@ -171,7 +182,8 @@ void MotorPantograph::judge_position(JointAngles angles) {
     ++report_.jumps;
     if (jumps_in_a_row_++ == 0) jump_age_s_ = angles_age_s_;
     if (jumps_in_a_row_ < jumps_that_count) return;
-    report_.state = DriveState::jumped;
+    has_jumped_ = true;
+    if (report_.state == DriveState::ready) report_.state = DriveState::jumped;
     report_.is_position_doubtful = true;
 }
 

@@ -78,6 +78,7 @@ class MotorPantograph final : public JointDevice {
 
   private:
     void begin_set_up();
+    void begin_arming();
     void follow(const PairNews& news);
     void take(ShaftTurns turns);
     void judge_position(JointAngles angles);
@@ -97,6 +98,7 @@ class MotorPantograph final : public JointDevice {
     int attempts_ = 0;  // set-ups in a row that did not end
     int jumps_in_a_row_ = 0;
     double jump_age_s_ = 0.0;  // angles_age_s_ at the first of them
+    bool has_jumped_ = false;  // until accept_position() or open()
     bool is_held_zero_ = false;
 };
 

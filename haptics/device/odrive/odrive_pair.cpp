@@ -17,13 +17,15 @@ constexpr double first_absolute_mode = 256.0;
 constexpr double watchdog_expired = 2048.0;
 
 // By the number of Asked.
-constexpr std::array<std::string_view, 10> properties{"",
+constexpr std::array<std::string_view, 12> properties{"",
                                                       "controller.input_torque",
                                                       "error",
                                                       "current_state",
                                                       "config.watchdog_timeout",
                                                       "config.enable_watchdog",
                                                       "motor.config.torque_lim",
+                                                      "controller.config.control_mode",
+                                                      "controller.config.input_mode",
                                                       "encoder.is_ready",
                                                       "encoder.config.mode",
                                                       "motor.is_calibrated"};
@@ -73,7 +75,7 @@ PairNews OdrivePair::step(double elapsed_s) {
             if (deaf_s_ <= 0.0) take(*line);
     }
     deaf_s_ = std::max(0.0, deaf_s_ - elapsed_s);
-    if (stage_ == Stage::quiet && deaf_s_ <= 0.0) go(Stage::arm);
+    if (stage_ == Stage::quiet && deaf_s_ <= 0.0) go(may_clear_ ? Stage::arm : Stage::look);
     if (port_->is_gone()) state_ = PairState::gone;
     return {state_, turns_, is_held_zero(), wrong_};
 }
@@ -113,12 +115,15 @@ void OdrivePair::complete(const Burst& burst) {
         return count == 2;
     };
     if (are_all(Asked::held_torque, 0.0) || are_all(Asked::state, idle)) held_zero_ = burst.number;
+    if (burst.stage != stage_) return;
     if (stage_ == Stage::read_back) return read_back(burst);
+    if (stage_ == Stage::look) return look(burst);
     if (stage_ != Stage::close_loop && stage_ != Stage::ready) return;
     judge_axes(burst);
     if (stage_ == Stage::close_loop && are_all(Asked::state, closed_loop) &&
         are_all(Asked::error, 0.0)) {
         doubts_ = 0;
+        may_clear_ = false;
         state_ = PairState::ready;
         go(Stage::ready);
     }
@@ -137,6 +142,10 @@ void OdrivePair::read_back(const Burst& burst) {
             return doubt(MotorTrouble::Kind::watchdog_not_set, q.axis);
         if (q.asked == Asked::most_torque && !(q.answer <= most_Nm_ + same))
             return doubt(MotorTrouble::Kind::too_old, q.axis);
+        if (q.asked == Asked::control_mode && !is(torque_control))
+            return doubt(MotorTrouble::Kind::too_old, q.axis);
+        if (q.asked == Asked::input_mode && !is(as_told))
+            return doubt(MotorTrouble::Kind::too_old, q.axis);
         if (q.asked == Asked::encoder_ready && !is(1.0))
             return refuse(MotorTrouble::Kind::no_encoder, q.axis);
         if (q.asked == Asked::motor_calibrated && !is(1.0))
@@ -145,6 +154,16 @@ void OdrivePair::read_back(const Burst& burst) {
             are_absolute_ = are_absolute_ && q.answer >= first_absolute_mode;
     }
     go(Stage::close_loop);
+}
+
+// Arming clears errors, so one that came since the pair was ready must be told before.
+void OdrivePair::look(const Burst& burst) {
+    for (std::size_t i = 0; i < burst.count; ++i) {
+        const Question& q = burst.questions[i];
+        if (q.asked == Asked::error && q.answer != 0.0 && q.answer != watchdog_expired)
+            return refuse(MotorTrouble::Kind::fault, q.axis, q.answer);
+    }
+    go(Stage::arm);
 }
 
 // Of two faults at once the first is told.
@@ -168,14 +187,16 @@ void OdrivePair::doubt(MotorTrouble::Kind kind, std::size_t axis, double code) {
 
 void OdrivePair::refuse(MotorTrouble::Kind kind, std::size_t axis, double code) {
     doubts_ = 0;
+    may_clear_ = true;
     state_ = PairState::refused;
     trouble_ = {kind, static_cast<int>(axis) + 1,
                 static_cast<std::uint32_t>(std::clamp(code, 0.0, 1e9))};
     go(Stage::let_go);
 }
 
+// An empty line is answered too, which may only be where nobody listens.
 void OdrivePair::put_release(OdriveText& text) const {
-    if (is_first_of_stage_) text.end_line();
+    if (is_first_of_stage_ && deaf_s_ > 0.0) text.end_line();
     for (const int axis : {0, 1}) {
         text.torque(axis, 0.0);
         text.set(axis, "requested_state", idle);
@@ -209,7 +230,7 @@ void OdrivePair::ask(OdriveText& text, Burst& burst, Asked asked) {
 // Torques first: they must not wait for the board to answer.
 void OdrivePair::put_stage(OdriveText& text, Burst& burst, ShaftTorques torques) {
     if (stage_ == Stage::arm) return put_arming(text);
-    if (stage_ == Stage::let_go || stage_ == Stage::quiet) {
+    if (stage_ < Stage::arm) {
         put_release(text);
     } else {
         text.torque(0, torques.x);
@@ -234,16 +255,17 @@ void OdrivePair::put_questions(OdriveText& text, Burst& burst, bool is_zero) {
         case Stage::read_back:
             for (const Asked asked : read_backs) ask(text, burst, asked);
             return;
-        case Stage::close_loop:
-            ask(text, burst, Asked::state);
+        case Stage::look:
             ask(text, burst, Asked::error);
             return;
-        case Stage::ready: {
-            const Asked slow = burst.number % 2 == 0 ? Asked::error : Asked::state;
+        case Stage::ready:
             ask(text, burst, Asked::place);
-            ask(text, burst, is_zero && !is_held_zero() ? Asked::held_torque : slow);
+            if (is_zero && !is_held_zero()) return ask(text, burst, Asked::held_torque);
+            [[fallthrough]];
+        case Stage::close_loop:  // the error first, for an axis that has one is idle at once
+            ask(text, burst, Asked::error);
+            ask(text, burst, Asked::state);
             return;
-        }
         default:
             ask(text, burst, Asked::state);
     }
@@ -254,6 +276,7 @@ bool OdrivePair::tell(ShaftTorques torques) {
     OdriveText text;
     Burst burst;
     burst.number = ++told_;
+    burst.stage = stage_;
     if (told != ShaftTorques{}) zero_since_ = told_ + 1;
     put_stage(text, burst, told);
     if (!port_->write(text.bytes())) return false;

@@ -2,7 +2,7 @@
 // answered line by line, each of its own kind, and ends with a number of its own that comes back;
 // the first line that is otherwise makes us begin anew.
 //
-//   quiet --> arm --> read back --> closed loop --> ready
+//   quiet --> look for errors --> arm --> read back --> closed loop --> ready
 #pragma once
 
 #include "haptics/device/drives/motor_pair.h"
@@ -41,7 +41,7 @@ class OdrivePair final : public MotorPair {
 
   private:
     /// In the order of a set-up. let_go stays where nobody wants a torque any more.
-    enum class Stage : std::uint8_t { let_go, quiet, arm, read_back, close_loop, ready };
+    enum class Stage : std::uint8_t { let_go, quiet, look, arm, read_back, close_loop, ready };
 
     enum class Asked : std::uint8_t {
         place,
@@ -51,15 +51,17 @@ class OdrivePair final : public MotorPair {
         watchdog_time,
         watchdog_on,
         most_torque,
+        control_mode,
+        input_mode,
         encoder_ready,
         encoder_mode,
         motor_calibrated,
         mark
     };
 
-    static constexpr std::array read_backs{Asked::watchdog_time, Asked::watchdog_on,
-                                           Asked::most_torque,   Asked::encoder_ready,
-                                           Asked::encoder_mode,  Asked::motor_calibrated};
+    static constexpr std::array read_backs{
+        Asked::watchdog_time, Asked::watchdog_on,   Asked::most_torque,  Asked::control_mode,
+        Asked::input_mode,    Asked::encoder_ready, Asked::encoder_mode, Asked::motor_calibrated};
 
     struct Question {
         Asked asked = Asked::place;
@@ -70,7 +72,8 @@ class OdrivePair final : public MotorPair {
     /// Questions that went out as one piece, and their answers in order.
     struct Burst {
         std::uint64_t number = 0;
-        std::array<Question, 14> questions{};
+        Stage stage = Stage::let_go;  // in which it was asked
+        std::array<Question, 2 * read_backs.size() + 1> questions{};
         std::size_t count = 0;
         std::size_t answered = 0;
     };
@@ -82,6 +85,7 @@ class OdrivePair final : public MotorPair {
     void take(std::string_view line);
     void complete(const Burst& burst);
     void read_back(const Burst& burst);
+    void look(const Burst& burst);
     void judge_axes(const Burst& burst);
     void refuse(MotorTrouble::Kind kind, std::size_t axis, double code = 0.0);
     void doubt(MotorTrouble::Kind kind, std::size_t axis, double code = 0.0);
@@ -111,7 +115,8 @@ class OdrivePair final : public MotorPair {
     std::uint64_t zero_since_ = 1;  // first burst after which none had torque
     std::uint64_t held_zero_ = 0;   // newest burst after which both told that they had none
     std::uint64_t wrong_ = 0;
-    int doubts_ = 0;  // since the pair was ready
+    int doubts_ = 0;         // since the pair was ready
+    bool may_clear_ = true;  // errors: nobody opened the device yet, or was told of one
     bool are_absolute_ = false;
     std::optional<ShaftTurns> turns_;  // of this step
 };

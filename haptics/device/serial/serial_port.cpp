@@ -97,9 +97,13 @@ Result<std::unique_ptr<ByteLink>> open_serial_port(const std::string& path) {
     };
     const int descriptor = open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
     if (descriptor < 0) return refused(errno);
+    // The lock keeps out other programs that ask for it, the other call all but root's. Only a port
+    // that is ours may end in SerialPort's destructor, which would open another's to all.
+    if (flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
+        close(descriptor);
+        return refused(EBUSY);
+    }
     auto port = std::make_unique<SerialPort>(descriptor);
-    // The lock keeps out other programs that ask for it, the other call all but root's.
-    if (flock(descriptor, LOCK_EX | LOCK_NB) != 0) return refused(EBUSY);
     if (!make_raw(descriptor)) {
         return failure("'" + path +
                        "' is no serial port: name the one of the device, for example "

@@ -4,8 +4,12 @@
 #include "haptics/device/nudge_test.h"
 #include "tests/machines/sim/drives/drive_rig.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <string>
+#include <string_view>
 
 #include <gtest/gtest.h>
 
@@ -293,6 +297,65 @@ TYPED_TEST(MotorPantographOf, AnEncoderThatLeapsGivesNoAnglesUntilThePlaceIsAcce
     rig.driver->accept_position();
     rig.tick_for(0.01, {});
     EXPECT_TRUE(rig.tick({}).has_value());
+}
+
+TYPED_TEST(MotorPantographOf, ALeapOutlastsASetUp) {
+    for (const int ticks : {2, 3, 20}) {  // the first brings angles from before
+        DriveRig<TypeParam> rig;
+        open(rig);
+        rig.tick_for(0.05, press);
+        rig.plant().leap(0, 0.1);
+        for (int k = 0; k < ticks; ++k) (void)rig.tick(press);
+        const double from_s = rig.time.now_s;
+        rig.line->spoil(LineFault::late_reply, 0.0305);
+        for (int k = 0; k < 300; ++k)
+            ASSERT_FALSE(rig.tick(press).has_value()) << ticks << ' ' << k;
+        EXPECT_GT(rig.driver->report().set_ups, 1U);
+        EXPECT_EQ(rig.driver->report().state, DriveState::jumped) << ticks;
+        EXPECT_TRUE(rig.driver->report().is_position_doubtful);
+        EXPECT_LE(rig.zero_from(from_s) - from_s, 0.0025);
+        rig.driver->accept_position();
+        rig.tick_for(0.01, {});
+        EXPECT_TRUE(rig.tick({}).has_value());
+        EXPECT_EQ(rig.driver->report().state, DriveState::ready);
+    }
+}
+
+/// Some other thing at the port: it prints a line every 100 ms, whatever it is told.
+class ChattyPort final : public ByteLink {
+  public:
+    explicit ChattyPort(VirtualTime& time) : time_(time) {}
+
+    [[nodiscard]] bool write(std::span<const std::uint8_t>) override { return true; }
+
+    [[nodiscard]] std::size_t read(std::span<std::uint8_t> room) override {
+        constexpr std::string_view line = "temperature 21\r\n";
+        if (time_.now_s < next_s_ || room.size() < line.size()) return 0;
+        next_s_ = time_.now_s + 0.1;
+        std::ranges::copy(line, room.begin());
+        return line.size();
+    }
+
+    /// So that a driver that waits for ever fails here.
+    [[nodiscard]] bool is_gone() const override { return time_.now_s > 20.0; }
+
+    void rest(double span_s) override { time_.now_s += span_s; }
+
+  private:
+    VirtualTime& time_;
+    double next_s_ = 0.0;
+};
+
+TYPED_TEST(MotorPantographOf, SomethingElseThatTalksAtThePortIsToldInTime) {
+    VirtualTime time;
+    MotorPantograph driver(TypeParam::pair_over(std::make_unique<ChattyPort>(time)),
+                           DriveTruth{}.profile, {});
+    const auto opened = driver.open();
+    ASSERT_FALSE(opened.has_value());
+    EXPECT_NE(opened.error().line.find("does not answer"), std::string::npos)
+        << opened.error().line;
+    EXPECT_LE(time.now_s, 3.0);
+    EXPECT_EQ(driver.report().state, DriveState::lost);
 }
 
 TYPED_TEST(MotorPantographOf, StopLetsGoIsConfirmedAndNothingFollows) {

@@ -58,6 +58,64 @@ TEST(OdrivePair, AFirmwareThatLacksAPropertyGetsNoTorque) {
     expect_refused(axes, "lacks what force needs");
 }
 
+TEST(OdrivePair, AnAxisThatKeepsItsRampGetsNoTorque) {
+    auto axes = OdriveMachine::units();
+    axes[0].stored_input_mode = 6;
+    axes[0].deaf_to_input_modes = 1000;
+    expect_refused(axes, "axis 0 (motor 1) lacks what force needs");
+}
+
+TEST(OdrivePair, ARampWhoseEndWasLostInArmingIsSeenAndAZeroIsOne) {
+    auto axes = OdriveMachine::units();
+    axes[1].stored_input_mode = 6;
+    axes[1].deaf_to_input_modes = 1;
+    OdriveRig rig({}, axes);
+    const auto opened = rig.driver->open();
+    ASSERT_TRUE(opened.has_value()) << opened.error().line;
+    rig.tick_for(0.1, press);
+    EXPECT_NEAR(norm(rig.held() - press), 0.0, 1e-4);
+    for (int k = 0; k < 10; ++k) {
+        (void)rig.tick({});
+        if (!rig.is_written) continue;
+        EXPECT_EQ(rig.held(), JointTorques{});
+    }
+    EXPECT_TRUE(rig.is_written);
+}
+
+void expect_told(OdriveRig& rig, std::size_t axis) {
+    rig.tick_for(0.3, press);
+    EXPECT_EQ(rig.driver->report().state, DriveState::refused);
+    EXPECT_EQ(rig.driver->report().trouble.motor, static_cast<int>(axis) + 1);
+    EXPECT_EQ(rig.bridges(), both_off);
+    ASSERT_TRUE(rig.driver->open().has_value());  // somebody was told and wants it so
+    rig.tick_for(0.05, press);
+    EXPECT_NEAR(norm(rig.held() - press), 0.0, 1e-4);
+}
+
+TEST(OdrivePair, AnErrorIsToldInWhicheverTickItComes) {
+    for (const std::size_t axis : {0U, 1U}) {
+        for (int ticks = 40; ticks < 44; ++ticks) {
+            SCOPED_TRACE(testing::Message() << "axis " << axis << " after " << ticks);
+            OdriveRig rig;
+            ASSERT_TRUE(rig.driver->open().has_value());
+            rig.tick_for(drive_tick_s * ticks, press);
+            rig.machine.fail(axis);
+            expect_told(rig, axis);
+        }
+    }
+}
+
+TEST(OdrivePair, AnErrorWhoseAnswersAreLateIsToldAndNotCleared) {
+    for (const std::size_t axis : {0U, 1U}) {
+        OdriveRig rig;
+        ASSERT_TRUE(rig.driver->open().has_value());
+        rig.tick_for(0.05, press);
+        rig.line->spoil(LineFault::lost_reply, 0.012);
+        rig.machine.fail(axis);
+        expect_told(rig, axis);
+    }
+}
+
 TEST(OdrivePair, AnEncoderThatOnlyCountsLeavesThePlaceInDoubt) {
     auto axes = OdriveMachine::units();
     axes[1].encoder_mode = 0;

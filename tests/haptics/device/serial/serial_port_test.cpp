@@ -2,6 +2,7 @@
 #include "haptics/device/serial/serial_port.h"
 
 #include <array>
+#include <cerrno>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -11,6 +12,7 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace touchline {
@@ -51,6 +53,16 @@ class Terminal {
 
 std::vector<std::uint8_t> bytes_of(const std::string& text) {
     return {text.begin(), text.end()};
+}
+
+/// True if all but root are refused; root gets in and asks.
+bool is_exclusive(const std::string& path) {
+    const int descriptor = open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+    if (descriptor < 0) return errno == EBUSY;
+    int is_so = 0;
+    const bool is_told = ioctl(descriptor, TIOCGEXCL, &is_so) == 0;
+    close(descriptor);
+    return is_told && is_so != 0;
 }
 
 TEST(SerialPort, CarriesEveryByteAsItIs) {
@@ -106,6 +118,7 @@ TEST(SerialPort, AnotherProgramDoesNotGetItMeanwhile) {
     ASSERT_FALSE(second.has_value());
     EXPECT_NE(second.error().line.find("another program has it"), std::string::npos)
         << second.error().line;
+    EXPECT_TRUE(is_exclusive(terminal.path));
     port->reset();
     EXPECT_TRUE(open_serial_port(terminal.path).has_value());
 }

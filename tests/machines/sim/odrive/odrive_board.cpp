@@ -14,6 +14,8 @@ constexpr double line_answer_s = 2e-4;
 constexpr double entering_s = 0.002;
 constexpr std::uint32_t invalid_state = 1U << 0U, watchdog_error = 1U << 11U;
 constexpr double motor_limit_Nm = 0.5;
+constexpr int ramp_mode = 6;
+constexpr double ramp_Nm_per_s = 0.01;
 
 std::string printed(double value) {
     std::array<char, 64> text{};
@@ -27,13 +29,17 @@ std::string printed(double value) {
 OdriveBoard::OdriveBoard(const DriveTruth& truth, const std::array<OdriveTruth, 2>& axes,
                          std::shared_ptr<const IntendedPath> path)
     : plant_(truth, std::move(path)) {
-    for (std::size_t i = 0; i < 2; ++i) axes_[i].truth = axes[i];
+    for (std::size_t i = 0; i < 2; ++i) {
+        axes_[i].truth = axes[i];
+        axes_[i].input_mode = axes[i].stored_input_mode;
+    }
 }
 
 void OdriveBoard::reset() {
     for (Axis& axis : axes_) {
         Axis anew;
         anew.truth = axis.truth;
+        anew.input_mode = axis.truth.stored_input_mode;
         axis = anew;
     }
     line_.clear();
@@ -49,6 +55,13 @@ void OdriveBoard::switch_power(bool has_power) {
 void OdriveBoard::fail(std::size_t axis, std::uint32_t error) {
     axes_[axis].error |= error;
     drive();
+}
+
+void OdriveBoard::pass_on(Axis& axis, double span_s) {
+    const double step_Nm = ramp_Nm_per_s * span_s;
+    const double way_Nm = axis.torque_Nm - axis.setpoint_Nm;
+    axis.setpoint_Nm +=
+        axis.input_mode == ramp_mode ? std::clamp(way_Nm, -step_Nm, step_Nm) : way_Nm;
 }
 
 // An axis with an error has its phases floating and is idle.
@@ -76,6 +89,7 @@ void OdriveBoard::advance_to(double t_s) {
             if (!axis.first_turns) axis.first_turns = std::round(turns);
             axis.turns = turns - *axis.first_turns;
             if (has_power_) run(axis, span_s);
+            pass_on(axis, span_s);
         }
         drive();
     }
@@ -83,11 +97,13 @@ void OdriveBoard::advance_to(double t_s) {
 
 void OdriveBoard::drive() {
     for (std::size_t i = 0; i < 2; ++i) {
-        const Axis& axis = axes_[i];
+        Axis& axis = axes_[i];
+        pass_on(axis, 0.0);
         const bool is_on = has_power_ && axis.state == 8 && axis.error == 0;
         const double most_Nm = std::min(axis.most_torque_Nm, motor_limit_Nm);
-        plant_.drive(i, is_on ? Bridge::driven : Bridge::off,
-                     axis.control_mode == 1 ? std::clamp(axis.torque_Nm, -most_Nm, most_Nm) : 0.0);
+        plant_.drive(
+            i, is_on ? Bridge::driven : Bridge::off,
+            axis.control_mode == 1 ? std::clamp(axis.setpoint_Nm, -most_Nm, most_Nm) : 0.0);
     }
 }
 
@@ -194,6 +210,8 @@ std::string OdriveBoard::read(const std::string& property) const {
     if (name == "motor.is_calibrated") return axis.truth.is_calibrated ? "1" : "0";
     if (name == "motor.config.torque_lim" && axis.truth.knows_torque_limit)
         return printed(axis.most_torque_Nm);
+    if (name == "controller.config.control_mode") return std::to_string(axis.control_mode);
+    if (name == "controller.config.input_mode") return std::to_string(axis.input_mode);
     return "invalid property";
 }
 
@@ -217,7 +235,10 @@ bool OdriveBoard::write(const std::string& property, const std::string& value) {
     } else if (name == "controller.config.control_mode") {
         axis.control_mode = static_cast<int>(number);
     } else if (name == "controller.config.input_mode") {
-        axis.input_mode = static_cast<int>(number);
+        if (axis.truth.deaf_to_input_modes > 0)
+            --axis.truth.deaf_to_input_modes;
+        else
+            axis.input_mode = static_cast<int>(number);
     } else if (name == "motor.config.torque_lim" && axis.truth.knows_torque_limit) {
         axis.most_torque_Nm = number;
     } else {

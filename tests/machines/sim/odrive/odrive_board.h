@@ -23,6 +23,8 @@ struct OdriveTruth {
     double watchdog_factor = 1.0;  // of what it is told; 1 in every real one
     bool has_watchdog = true;      // false: cannot be switched on
     bool knows_torque_limit = true;
+    int stored_input_mode = 1;    // 6: torques are approached by a ramp
+    int deaf_to_input_modes = 0;  // so many lines that set it are lost
 };
 
 class OdriveBoard final : public SerialPeer {
@@ -54,7 +56,8 @@ class OdriveBoard final : public SerialPeer {
         OdriveTruth truth;
         int state = 1;
         std::uint32_t error = 0;
-        double torque_Nm = 0.0;
+        double torque_Nm = 0.0;    // the wish
+        double setpoint_Nm = 0.0;  // what the motor is to make
         int control_mode = 3, input_mode = 1;
         double watchdog_s = 0.0, left_s = 0.0;
         bool is_watchdog_on = false;
@@ -65,6 +68,7 @@ class OdriveBoard final : public SerialPeer {
         int wanted_state = 0;
     };
 
+    void pass_on(Axis& axis, double span_s);
     void obey(const std::string& line);
     void say(const std::string& text, bool has_checksum);
     [[nodiscard]] std::string read(const std::string& property) const;
