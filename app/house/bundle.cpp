@@ -141,6 +141,7 @@ std::string sentence_of(BundleFault fault, const Language& language) {
         "There is too much for one bundle. Remove packs of pictures.",
         "Something cannot be read or saved here. The log says what.",
         "There is no bundle to go back from.",
+        "This kiosk was changed meanwhile. Choose the bundle once more.",
     };
     return language.text("bundle", sentences[static_cast<std::size_t>(fault)]);
 }
@@ -156,18 +157,19 @@ BundleResult<std::vector<std::byte>> signed_bundle(Bundle bundle, const SecretKe
             BundleFault::too_large,
             fmt::format("a bundle holds {} MiB and {} files at most; take packs out of this kiosk",
                         most_bundle_bytes >> 20U, most_bundle_files));
-    std::vector<std::byte> covered;
-    covered.reserve(count);
-    const auto add = [](std::vector<std::byte>& to, std::span<const std::byte> bytes) {
-        to.insert(to.end(), bytes.begin(), bytes.end());
-    };
-    add(covered, std::as_bytes(std::span(head)));
-    for (const BundleFile& file : bundle.files) add(covered, file.bytes);
-    const std::string top = std::string(first_line) + signature_text(covered, secret);
+    // Every signature is as long as this one; its place is left free, so that nothing is copied.
+    const std::size_t top_bytes = first_line.size() + signature_text({}, secret).size();
     std::vector<std::byte> whole;
-    whole.reserve(top.size() + covered.size());
-    add(whole, std::as_bytes(std::span(top)));
-    add(whole, covered);
+    whole.reserve(top_bytes + count);
+    whole.resize(top_bytes);
+    const auto add = [&whole](std::span<const std::byte> bytes) {
+        whole.insert(whole.end(), bytes.begin(), bytes.end());
+    };
+    add(std::as_bytes(std::span(head)));
+    for (const BundleFile& file : bundle.files) add(file.bytes);
+    const std::string top =
+        std::string(first_line) + signature_text(std::span(whole).subspan(top_bytes), secret);
+    std::ranges::copy(std::as_bytes(std::span(top)), whole.begin());
     return whole;
 }
 

@@ -43,9 +43,10 @@ enum class BundleFault : std::uint8_t {
     too_large,        // more than a bundle may hold
     disk,             // something cannot be read or written here
     nothing_to_undo,  // no bundle was applied, or what was before is gone
+    changed_since,    // the kiosk is not any more as it was when the bundle was looked at
 };
 
-inline constexpr int bundle_fault_count = 14;
+inline constexpr int bundle_fault_count = 15;
 
 struct BundleError {
     BundleFault fault = BundleFault::damaged;

@@ -40,10 +40,12 @@ struct Gathered {
     }
 };
 
-void add_settings(const HousePlaces& places, Gathered& gathered) {
-    const Settings site = read_settings(places.settings).settings;
+Result<void> add_settings(const HousePlaces& places, Gathered& gathered) {
+    const auto site = read_settings_as_written(places);
+    if (!site) return tl::unexpected(site.error());
     gathered.add(BundlePart::settings, "kiosk",
-                 site_text(with_settings_of_house(Settings{}, site)));
+                 site_text(with_settings_of_house(Settings{}, *site)));
+    return {};
 }
 
 Result<void> add_profiles(const HousePlaces& places, Gathered& gathered) {
@@ -113,10 +115,11 @@ BundleResult<std::vector<std::byte>> make_bundle(const HousePlaces& places,
                                                  std::chrono::sys_seconds now) {
     const auto secret = read_secret_key(places);
     if (!secret) return tl::unexpected(secret.error());
+    if (const auto done = finish_change(places); !done) return disk_error(done.error());
     const auto made_s = time_for(places, now.time_since_epoch().count());
     if (!made_s) return disk_error(made_s.error());
     Gathered gathered;
-    add_settings(places, gathered);
+    if (const auto added = add_settings(places, gathered); !added) return disk_error(added.error());
     if (const auto added = add_profiles(places, gathered); !added) return disk_error(added.error());
     if (const auto added = add_packs(places, gathered); !added)
         return tl::unexpected(added.error());

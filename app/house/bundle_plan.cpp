@@ -148,8 +148,10 @@ BundleResult<BundlePlan> plan_of(const Bundle& bundle, const HousePlaces& places
                                  std::span<const std::string> languages) {
     Planner planner{places, languages};
     planner.plan.made_s = bundle.made_s;
-    planner.plan.before = read_settings(places.settings).settings;
-    planner.plan.after = planner.plan.before;
+    const auto before = read_settings_as_written(places);
+    if (!before) return broken_disk(before.error());
+    planner.plan.before = *before;
+    planner.plan.after = *before;
     for (const BundleFile& file : bundle.files)
         if (auto added = planner.add(file); !added) return tl::unexpected(added.error());
     if (auto judged = planner.judge_whole(); !judged) return tl::unexpected(judged.error());
@@ -168,9 +170,25 @@ BundleError as_of_newer_program(BundleError error, const Bundle& bundle) {
                         error.line, text_of(*theirs))};
 }
 
-bool is_empty(const BundlePlan& plan) {
-    return plan.after == plan.before && plan.profiles.empty() && plan.packs.empty() &&
-           plan.networks.empty();
+/// A shell, or the operator, may have been here between the look and the "yes".
+Result<void> judge_anew(const BundlePlan& plan, const HousePlaces& places) {
+    const auto last = read_change_record(places);
+    const auto settings = read_settings_as_written(places);
+    if (last && settings && *last == plan.last && *settings == plan.before) return {};
+    return failure(
+        "this kiosk was changed meanwhile; nothing of the bundle was applied, look at "
+        "it again");
+}
+
+/// The settings of before, if they can be told.
+std::optional<Settings> settings_before(const HousePlaces& places, const ChangeRecord& record,
+                                        const ChangedThing& thing) {
+    const auto file = place_before(places, record, thing);
+    if (!file) return Settings{};
+    const auto settings = read_text(file->string()).and_then([&](const std::string& all) {
+        return apply_settings(Settings{}, all, file->string(), SettingLayer::site);
+    });
+    return settings ? std::optional(*settings) : std::nullopt;
 }
 
 std::string site_file_name(const HousePlaces& places) {
@@ -197,6 +215,7 @@ BundleResult<BundlePlan> plan_of_bundle(std::span<const std::byte> bytes, const 
                                       "first, or make a new one");
         auto plan = plan_of(*bundle, places, languages);
         if (!plan) return tl::unexpected(as_of_newer_program(plan.error(), *bundle));
+        plan->last = *record;
         return plan;
     } catch (const std::exception&) {
         return bundle_failure(BundleFault::disk,
@@ -205,10 +224,6 @@ BundleResult<BundlePlan> plan_of_bundle(std::span<const std::byte> bytes, const 
 }
 
 BundleResult<void> apply_plan(const BundlePlan& plan, const HousePlaces& places) {
-    const auto last = read_change_record(places);
-    if (!last) return broken_disk(last.error());
-    // Applied again it would only take the way back away.
-    if (*last && (*last)->made_s == plan.made_s && is_empty(plan)) return {};
     const std::string settings = site_text(plan.after);
     std::vector<NewThing> things;
     if (plan.after != plan.before)
@@ -228,8 +243,15 @@ BundleResult<void> apply_plan(const BundlePlan& plan, const HousePlaces& places)
     for (const PlannedNetwork& planned : plan.networks)
         things.push_back(
             {HouseRoot::networks, std::string(planned.network->file), {{"", planned.bytes}}});
-    const auto done = change(places, things, plan.made_s);
-    return done ? BundleResult<void>{} : broken_disk(done.error());
+    bool is_as_seen = true;
+    const auto done = change(places, things, plan.made_s, [&] {
+        auto judged = judge_anew(plan, places);
+        is_as_seen = judged.has_value();
+        return judged;
+    });
+    if (done) return {};
+    return is_as_seen ? broken_disk(done.error())
+                      : bundle_failure(BundleFault::changed_since, done.error().line);
 }
 
 BundleResult<WayBack> find_way_back(const HousePlaces& places) {
@@ -243,16 +265,8 @@ BundleResult<WayBack> find_way_back(const HousePlaces& places) {
     way.before = way.now;
     const auto changed =
         std::ranges::find(way.record.things, HouseRoot::settings, &ChangedThing::root);
-    if (changed == way.record.things.end()) return way;
-    way.before = Settings{};
-    if (const auto file = place_before(places, way.record, *changed)) {
-        const auto text = read_text(file->string());
-        const auto before = text.and_then([&](const std::string& all) {
-            return apply_settings(Settings{}, all, file->string(), SettingLayer::site);
-        });
-        if (!before) return broken_disk(before.error());
-        way.before = *before;
-    }
+    if (changed != way.record.things.end())
+        way.before = settings_before(places, way.record, *changed).value_or(way.now);
     return way;
 }
 

@@ -36,6 +36,7 @@ struct PlannedNetwork {
 /// Only what differs from this kiosk. It owns its bytes: the bundle may go.
 struct BundlePlan {
     std::int64_t made_s = 0;
+    std::optional<ChangeRecord> last;  // the change that the kiosk was at
     Settings before;
     Settings after;
     std::vector<PlannedProfile> profiles;
@@ -54,10 +55,12 @@ struct BundlePlan {
 /// per metre". Empty: the kiosk is as the bundle says.
 [[nodiscard]] std::vector<std::string> plan_lines(const BundlePlan& plan, const Language& language);
 
-/// Puts all of it in place, or nothing (changing.h).
+/// Puts all of it in place, or nothing (changing.h). Fails with `changed_since` if another bundle
+/// was applied or the settings were changed since the plan was made.
 [[nodiscard]] BundleResult<void> apply_plan(const BundlePlan& plan, const HousePlaces& places);
 
-/// What going back to before the last bundle would change.
+/// What going back to before the last bundle would change. The settings are alike where one of the
+/// files cannot be read: it goes back all the same.
 struct WayBack {
     ChangeRecord record;
     Settings now;

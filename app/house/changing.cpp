@@ -25,9 +25,10 @@ constexpr const char* journal_name = ".house-change";
 constexpr const char* record_name = "applied.txt";
 constexpr const char* lock_name = "lock";
 
+/// Counts what cannot be examined: whoever takes it for missing would take a move for done.
 bool is_there(const fs::path& path) {
     std::error_code error;
-    return fs::exists(fs::symlink_status(path, error));
+    return fs::symlink_status(path, error).type() != fs::file_type::not_found;
 }
 
 /// One call at a time, over all processes. Held until its owner goes.
@@ -45,8 +46,8 @@ Result<Descriptor> take_lock(const HousePlaces& places) {
 
 // The moves. Each may have been done already, wholly or in part, before the power went.
 
-tl::unexpected<Error> cannot_move(const fs::path& path) {
-    const std::string why = std::generic_category().message(errno);
+tl::unexpected<Error> cannot_move(const fs::path& path, int number = errno) {
+    const std::string why = std::generic_category().message(number);
     return failure(fmt::format("{}: cannot be put in place: {}; start the kiosk again",
                                one_line(path.string()), why));
 }
@@ -60,8 +61,10 @@ bool set_aside(const fs::path& from, const fs::path& to) {
     return ::rename(from.c_str(), to.c_str()) == 0;
 }
 
+/// What is not beside its place was moved before, unless the disk of both is not there.
 Result<void> do_move(const HousePlaces& places, const Move& move) {
     const fs::path folder = places.folder_of(move.root);
+    if (!is_there(folder)) return cannot_move(folder, ENOENT);
     const fs::path place = folder / move.name;
     const fs::path outgoing = folder / move.outgoing;
     if (move.incoming.empty()) {
@@ -70,7 +73,7 @@ Result<void> do_move(const HousePlaces& places, const Move& move) {
         return {};
     }
     const fs::path incoming = folder / move.incoming;
-    if (!is_there(incoming)) return {};
+    if (!is_there(incoming)) return is_there(place) ? Result<void>{} : cannot_move(place, ENOENT);
     if (is_there(place) && !set_aside(place, outgoing)) return cannot_move(place);
     if (::rename(incoming.c_str(), place.c_str()) != 0) return cannot_move(place);
     return {};
@@ -168,6 +171,13 @@ std::optional<fs::path> record_before(const HousePlaces& places, const ChangeRec
     return is_there(file) ? std::optional(file) : std::nullopt;
 }
 
+/// A bundle that changes nothing leaves the way back as it is.
+Result<void> become_later(const HousePlaces& places, ChangeRecord record, std::int64_t made_s) {
+    if (made_s <= record.made_s) return {};
+    record.made_s = made_s;
+    return write_whole_file((places.house / record_name).string(), record_text(record));
+}
+
 }  // namespace
 
 Result<std::optional<ChangeRecord>> read_change_record(const HousePlaces& places) {
@@ -189,7 +199,7 @@ Result<void> finish_change(const HousePlaces& places) {
 }
 
 Result<void> change(const HousePlaces& places, const std::vector<NewThing>& things,
-                    std::int64_t made_s) {
+                    std::int64_t made_s, const std::function<Result<void>()>& judge) {
     for (const NewThing& thing : things)
         if (!is_listed_name(thing.name))
             return failure(one_line(thing.name) + ": give this file a name without blanks");
@@ -198,6 +208,8 @@ Result<void> change(const HousePlaces& places, const std::vector<NewThing>& thin
     if (auto done = finish(places); !done) return done;
     const auto before = read_change_record(places);
     if (!before) return tl::unexpected(before.error());
+    if (auto judged = judge(); !judged) return judged;
+    if (things.empty() && *before) return become_later(places, **before, made_s);
     ChangeRecord record{*before ? (*before)->number + 1 : 1, made_s, {}};
     for (const NewThing& thing : things)
         record.things.push_back(
@@ -218,6 +230,8 @@ std::optional<fs::path> place_before(const HousePlaces& places, const ChangeReco
 }
 
 bool can_change_back(const HousePlaces& places, const ChangeRecord& record) {
+    // Without the record before it, the kiosk would forget how old a bundle may be.
+    if (record.number != 1 && !record_before(places, record)) return false;
     return std::ranges::all_of(record.things, [&](const ChangedThing& thing) {
         const auto before = place_before(places, record, thing);
         return !before || is_there(*before);

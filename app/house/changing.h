@@ -12,6 +12,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -31,8 +32,6 @@ struct NewThing {
     HouseRoot root = HouseRoot::settings;
     std::string name;  // of one part, without a dot at its beginning
     std::vector<NewBytes> files;
-
-    [[nodiscard]] bool is_folder() const { return files.size() != 1 || !files[0].name.empty(); }
 };
 
 /// Nothing if no bundle was applied. Fails with one line if the file cannot be used.
@@ -42,17 +41,20 @@ struct NewThing {
 /// nothing on a kiosk that knows no house. To be called before the files are used.
 [[nodiscard]] Result<void> finish_change(const HousePlaces& places);
 
-/// Puts all in place, and records the change. Fails with one line, and then nothing is changed, but
-/// for a disk that breaks in the midst: the next call finishes it.
-[[nodiscard]] Result<void> change(const HousePlaces& places, const std::vector<NewThing>& things,
-                                  std::int64_t made_s);
+/// Puts all in place, and records the change; if there is nothing, only that it is this late.
+/// `judge` is asked while no other call can change anything; where it fails, nothing is changed.
+/// Fails with one line, and then nothing is changed, but for a disk that breaks in the midst: the
+/// next call finishes it.
+[[nodiscard]] Result<void> change(
+    const HousePlaces& places, const std::vector<NewThing>& things, std::int64_t made_s,
+    const std::function<Result<void>()>& judge = [] { return Result<void>{}; });
 
 /// Where what was before the last change lies; nothing if this thing was not there.
 [[nodiscard]] std::optional<std::filesystem::path> place_before(const HousePlaces& places,
                                                                 const ChangeRecord& record,
                                                                 const ChangedThing& thing);
 
-/// True if all that was before is still there.
+/// True if all that was before is still there, and nothing was changed back since.
 [[nodiscard]] bool can_change_back(const HousePlaces& places, const ChangeRecord& record);
 
 /// Puts everything back as it was before this change, the last one: the same rules hold.

@@ -37,10 +37,14 @@ BundleResult<PublicKey> read_house_key(const HousePlaces& places) {
 
 BundleResult<SecretKey> read_secret_key(const HousePlaces& places) {
     const fs::path file = places.house / secret_name;
+    std::error_code error;
     if (!is_private_there(file))
-        return bundle_failure(BundleFault::no_secret_key,
-                              "this kiosk cannot sign for a house; make its key with 'touchline "
-                              "bundle key'");
+        return bundle_failure(
+            BundleFault::no_secret_key,
+            fs::exists(places.house / public_name, error)
+                ? "this kiosk takes bundles and cannot sign them; make them on the first kiosk, or "
+                  "if that is gone remove the folder 'house' on all kiosks and begin anew"
+                : "this kiosk cannot sign for a house; make its key with 'touchline bundle key'");
     const auto text = read_private(file, most_secret_bytes);
     if (!text) return disk_failure(text.error());
     const auto secret = secret_key_in(*text);
@@ -78,6 +82,8 @@ BundleResult<PublicKey> house_key_in(std::span<const std::byte> bytes, const std
 
 BundleResult<void> trust_house_key(const HousePlaces& places, const PublicKey& key) {
     const auto secret = read_secret_key(places);
+    if (!secret && secret.error().fault != BundleFault::no_secret_key)
+        return tl::unexpected(secret.error());
     const bool signs_otherwise = secret && public_key_of(*secret) != key;
     if (signs_otherwise)
         return bundle_failure(BundleFault::has_key,

@@ -7,6 +7,12 @@
 
 namespace touchline {
 
+Result<Settings> read_settings_as_written(const HousePlaces& places) {
+    const KeptSettings kept = read_settings(places.settings);
+    if (kept.note.empty()) return kept.settings;
+    return failure(kept.note + "; mend that file first");
+}
+
 HousePlaces house_places() {
     SettingsFiles settings = settings_files();
     std::error_code error;

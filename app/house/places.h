@@ -43,6 +43,10 @@ struct HousePlaces {
     }
 };
 
+/// The settings that this kiosk is to have. Fails with one line if their file cannot be used: a
+/// running kiosk then has others, which must not be signed or written over it.
+[[nodiscard]] Result<Settings> read_settings_as_written(const HousePlaces& places);
+
 /// The places of this machine.
 [[nodiscard]] HousePlaces house_places();
 

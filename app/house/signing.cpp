@@ -31,7 +31,7 @@ const auto* octets(std::span<const std::byte> bytes) {
     return reinterpret_cast<const unsigned char*>(bytes.data());
 }
 
-/// Every call of the library comes after this.
+/// Every call of the library for a key, a signature or a hash comes after this.
 void start_sodium() {
     if (sodium_init() < 0) std::abort();  // the system gives no random bytes: a broken installation
 }
@@ -110,6 +110,7 @@ std::string with_comment(std::string_view comment, const std::string& line) {
 }
 
 std::array<std::uint8_t, crypto_generichash_BYTES_MAX> blake2b_of(std::span<const std::byte> all) {
+    start_sodium();
     std::array<std::uint8_t, crypto_generichash_BYTES_MAX> hash{};
     crypto_generichash(hash.data(), hash.size(), octets(all), all.size(), nullptr, 0);
     return hash;
@@ -188,7 +189,10 @@ std::optional<SecretKey> secret_key_in(std::string_view text) {
 
 std::string fingerprint_of(const PublicKey& key) {
     constexpr std::uint32_t groups_of = 10'000;
-    const auto hash = blake2b_of(std::as_bytes(std::span(key.key)));
+    std::array<std::uint8_t, sizeof(KeyNumber) + sizeof(PublicKey::key)> whole{};
+    std::ranges::copy(key.number, whole.begin());
+    std::ranges::copy(key.key, whole.begin() + sizeof(KeyNumber));
+    const auto hash = blake2b_of(std::as_bytes(std::span(whole)));
     std::string text;
     for (std::size_t group = 0; group < 6; ++group) {
         std::uint32_t number = 0;
@@ -199,6 +203,7 @@ std::string fingerprint_of(const PublicKey& key) {
 }
 
 std::string sha256_text(std::span<const std::byte> bytes) {
+    start_sodium();
     std::array<unsigned char, crypto_hash_sha256_BYTES> hash{};
     crypto_hash_sha256(hash.data(), octets(bytes), bytes.size());
     std::string text;

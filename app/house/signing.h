@@ -53,8 +53,8 @@ struct SecretKey {
 /// Nothing if the text is no secret key of this program.
 [[nodiscard]] std::optional<SecretKey> secret_key_in(std::string_view text);
 
-/// Six groups of four digits, "4815 1623 ...", by which two people make sure that they mean the
-/// same key. Finding another key with the same digits takes 10^24 tries.
+/// Six groups of four digits, "4815 1623 ...", of number and key, by which two people make sure
+/// that they mean the same key. Finding another key with the same digits takes 10^24 tries.
 [[nodiscard]] std::string fingerprint_of(const PublicKey& key);
 
 /// The SHA-256 of the bytes in 64 small hexadecimal digits. O(bytes).

@@ -15,6 +15,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* bundle_name = "house.touchline-bundle";
 constexpr const char* key_name = "house.touchline-key";
+constexpr const char* takes_a_moment = "This takes a moment. You hear when it is done.";
 
 HouseNews news_of(const BundleError& error, const Language& language) {
     return {std::nullopt, {sentence_of(error.fault, language), error.line}, false};
@@ -47,19 +48,29 @@ std::vector<std::string> digit_lines(const PublicKey& key) {
 OperatorHouse::OperatorHouse(HousePlaces places, fs::path copies)
     : places_(std::move(places)), copies_(std::move(copies)) {}
 
-/// Memory can run out anywhere; the kiosk goes on.
-void OperatorHouse::begin(std::function<Done()> work) {
-    if (work_.valid()) return;
-    work_ = std::async(std::launch::async, [work = std::move(work)] {
-        try {
-            return work();
-        } catch (const std::exception& error) {
-            return Done{{std::nullopt, {"", error.what()}, false}, {}};
-        }
-    });
+/// Memory and threads can run out anywhere; the kiosk goes on, and the operator hears it.
+void OperatorHouse::begin(std::function<Done()> work, const Language& language, const char* said) {
+    if (work_.valid()) {
+        at_once_ = told_of(language.text("bundle", "Something else is still being done. Wait."));
+        return;
+    }
+    const std::string begun = *said == '\0' ? "" : language.text("bundle", said);
+    try {
+        work_ = std::async(std::launch::async, [work = std::move(work), language] {
+            try {
+                return work();
+            } catch (const std::exception& error) {
+                return Done{news_of(Error{error.what()}, language), {}};
+            }
+        });
+        if (!begun.empty()) at_once_ = told_of(begun);
+    } catch (const std::exception& error) {
+        at_once_ = news_of(Error{error.what()}, language);
+    }
 }
 
 std::optional<HouseNews> OperatorHouse::poll() {
+    if (at_once_) return std::exchange(at_once_, std::nullopt);
     const bool has_ended =
         work_.valid() && work_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
     if (!has_ended) return std::nullopt;
@@ -70,86 +81,104 @@ std::optional<HouseNews> OperatorHouse::poll() {
 
 void OperatorHouse::look_at(HouseFile file, std::vector<std::string> languages,
                             const Language& language) {
-    begin([this_places = places_, file = std::move(file), languages = std::move(languages),
-           language]() -> Done {
-        const auto bytes = file.read();
-        if (!bytes) return {{std::nullopt, bytes.error(), false}, {}};
-        if (file.is_key) {
-            const auto key = house_key_in(bytes->bytes(), file.name);
-            if (!key) return {news_of(key.error(), language), {}};
-            return {{OperatorPlace::house_key, {}, false}, {digit_lines(*key), {}, {}, *key}};
-        }
-        auto plan = plan_of_bundle(bytes->bytes(), file.name, this_places, languages);
-        if (!plan) return {news_of(plan.error(), language), {}};
-        auto lines = plan_lines(*plan, language);
-        return {{OperatorPlace::bundle, {}, false}, {std::move(lines), std::move(*plan), {}, {}}};
-    });
+    begin(
+        [this_places = places_, file = std::move(file), languages = std::move(languages),
+         language]() -> Done {
+            const auto bytes = file.read();
+            if (!bytes) return {{std::nullopt, bytes.error(), false}, {}};
+            if (file.is_key) {
+                const auto key = house_key_in(bytes->bytes(), file.name);
+                if (!key) return {news_of(key.error(), language), {}};
+                return {{OperatorPlace::house_key, {}, false}, {digit_lines(*key), {}, {}, *key}};
+            }
+            auto plan = plan_of_bundle(bytes->bytes(), file.name, this_places, languages);
+            if (!plan) return {news_of(plan.error(), language), {}};
+            auto lines = plan_lines(*plan, language);
+            auto kept = std::make_shared<const BundlePlan>(std::move(*plan));
+            return {{OperatorPlace::bundle, {}, false},
+                    {std::move(lines), std::move(kept), {}, {}}};
+        },
+        language);
 }
 
 void OperatorHouse::look_at_way_back(const Language& language) {
-    begin([places = places_, language]() -> Done {
-        auto way = find_way_back(places);
-        if (!way) return {news_of(way.error(), language), {}};
-        auto lines = way_back_lines(*way, language);
-        return {{OperatorPlace::way_back, {}, false}, {std::move(lines), {}, std::move(*way), {}}};
-    });
+    begin(
+        [places = places_, language]() -> Done {
+            auto way = find_way_back(places);
+            if (!way) return {news_of(way.error(), language), {}};
+            auto lines = way_back_lines(*way, language);
+            return {{OperatorPlace::way_back, {}, false},
+                    {std::move(lines), {}, std::move(*way), {}}};
+        },
+        language);
 }
 
 void OperatorHouse::apply(const Language& language) {
     if (!looked_.plan) return;
-    begin([places = places_, plan = *looked_.plan, language]() -> Done {
-        const auto applied = apply_plan(plan, places);
-        if (!applied) return {news_of(applied.error(), language), {}};
-        const char* const said =
-            plan.packs.empty()
-                ? "The bundle is applied."
-                : "The bundle is applied. Its packs of pictures will be there when the kiosk "
-                  "next starts.";
-        return {told_of(language.text("bundle", said), true), {}};
-    });
+    begin(
+        [places = places_, plan = looked_.plan, language]() -> Done {
+            const auto applied = apply_plan(*plan, places);
+            if (!applied) return {news_of(applied.error(), language), {}};
+            const char* const said =
+                plan->packs.empty()
+                    ? "The bundle is applied."
+                    : "The bundle is applied. Its packs of pictures will be there when the kiosk "
+                      "next starts.";
+            return {told_of(language.text("bundle", said), true), {}};
+        },
+        language, takes_a_moment);
 }
 
 void OperatorHouse::go_back(const Language& language) {
     if (!looked_.way) return;
-    begin([places = places_, way = *looked_.way, language]() -> Done {
-        const auto gone = touchline::go_back(way, places);
-        if (!gone) return {news_of(gone.error(), language), {}};
-        return {told_of(language.text("bundle", "All is as before the bundle."), true), {}};
-    });
+    begin(
+        [places = places_, way = *looked_.way, language]() -> Done {
+            const auto gone = touchline::go_back(way, places);
+            if (!gone) return {news_of(gone.error(), language), {}};
+            return {told_of(language.text("bundle", "All is as before the bundle."), true), {}};
+        },
+        language, takes_a_moment);
 }
 
 void OperatorHouse::trust_key(const Language& language) {
     if (!looked_.key) return;
-    begin([places = places_, key = *looked_.key, language]() -> Done {
-        const auto trusted = trust_house_key(places, key);
-        if (!trusted) return {news_of(trusted.error(), language), {}};
-        return {told_of(language.text("bundle", "Bundles of this house are taken from now on.")),
+    begin(
+        [places = places_, key = *looked_.key, language]() -> Done {
+            const auto trusted = trust_house_key(places, key);
+            if (!trusted) return {news_of(trusted.error(), language), {}};
+            return {
+                told_of(language.text("bundle", "Bundles of this house are taken from now on.")),
                 {}};
-    });
+        },
+        language);
 }
 
 void OperatorHouse::make(std::chrono::sys_days today, const Language& language) {
-    begin([places = places_, copies = copies_, today, language]() -> Done {
-        const auto bundle = make_bundle(places, today);
-        if (!bundle) return {news_of(bundle.error(), language), {}};
-        std::error_code error;
-        fs::create_directories(copies, error);
-        const auto written = write_whole_file((copies / bundle_name).string(), *bundle);
-        if (!written) return {news_of(written.error(), language), {}};
-        return {
-            told_of(language.text("bundle", "The bundle is in {0}.", {copies.filename().string()})),
-            {}};
-    });
+    begin(
+        [places = places_, copies = copies_, today, language]() -> Done {
+            const auto bundle = make_bundle(places, today);
+            if (!bundle) return {news_of(bundle.error(), language), {}};
+            std::error_code error;
+            fs::create_directories(copies, error);
+            const auto written = write_whole_file((copies / bundle_name).string(), *bundle);
+            if (!written) return {news_of(written.error(), language), {}};
+            return {told_of(language.text("bundle", "The bundle is in {0}.",
+                                          {copies.filename().string()})),
+                    {}};
+        },
+        language, takes_a_moment);
 }
 
 void OperatorHouse::show_key(const Language& language) {
-    begin([places = places_, copies = copies_, language]() -> Done {
-        const auto key = make_house_key(places);
-        if (!key) return {news_of(key.error(), language), {}};
-        const auto kept = keep_text(copies / key_name, key_text(*key));
-        if (!kept) return {news_of(kept.error(), language), {}};
-        return {{OperatorPlace::own_key, {}, false}, {digit_lines(*key), {}, {}, {}}};
-    });
+    begin(
+        [places = places_, copies = copies_, language]() -> Done {
+            const auto key = make_house_key(places);
+            if (!key) return {news_of(key.error(), language), {}};
+            const auto kept = keep_text(copies / key_name, key_text(*key));
+            if (!kept) return {news_of(kept.error(), language), {}};
+            return {{OperatorPlace::own_key, {}, false}, {digit_lines(*key), {}, {}, {}}};
+        },
+        language);
 }
 
 }  // namespace touchline

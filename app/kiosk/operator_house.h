@@ -1,5 +1,6 @@
 // The operator at one of several kiosks: bundles and keys of the house, looked at, applied and
-// made. One work at a time, on a thread beside the screen's; its destructor waits for it.
+// made. One work at a time, on a thread beside the screen's; its destructor waits for it. What
+// comes while another is under way is refused, and said so.
 // Threads: one.
 #pragma once
 
@@ -16,6 +17,7 @@
 #include <filesystem>
 #include <functional>
 #include <future>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -53,8 +55,11 @@ class OperatorHouse {
     void make(std::chrono::sys_days today, const Language& language);
     void show_key(const Language& language);
 
-    /// What came of the work that has ended since.
+    /// What there is to tell: of a work that begins, was refused, or has ended since.
     [[nodiscard]] std::optional<HouseNews> poll();
+
+    /// Gives up what was looked at, which may be large.
+    void forget() { looked_ = {}; }
 
     /// Of what was looked at last.
     [[nodiscard]] const std::vector<std::string>& lines() const { return looked_.lines; }
@@ -63,7 +68,7 @@ class OperatorHouse {
     /// What was looked at, and can be carried out as it was told.
     struct Looked {
         std::vector<std::string> lines;
-        std::optional<BundlePlan> plan;
+        std::shared_ptr<const BundlePlan> plan;  // never copied: it holds whole packs
         std::optional<WayBack> way;
         std::optional<PublicKey> key;
     };
@@ -73,11 +78,13 @@ class OperatorHouse {
         Looked looked;
     };
 
-    void begin(std::function<Done()> work);
+    /// `said`: what is told at once; empty: nothing.
+    void begin(std::function<Done()> work, const Language& language, const char* said = "");
 
     HousePlaces places_;
     std::filesystem::path copies_;
     Looked looked_;
+    std::optional<HouseNews> at_once_;
     std::future<Done> work_;
 };
 

@@ -419,6 +419,7 @@ std::vector<std::string> OperatorSession::stick_names(bool are_of_house) const {
 
 std::vector<OperatorEvent> OperatorSession::poll_house() {
     auto news = house_.poll();
+    if (!is_inside()) house_.forget();
     if (!news) return {};
     if (news->has_changed) {
         std::vector<std::string> problems;

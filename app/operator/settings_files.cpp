@@ -52,7 +52,9 @@ std::vector<fs::path> files_in(const fs::path& folder, std::vector<std::string>&
     std::error_code error;
     fs::directory_iterator entry(folder, error);
     while (!error && entry != fs::directory_iterator()) {
-        if (entry->path().extension() == ".toml") files.push_back(entry->path());
+        // What a bundle keeps beside its place, and what an editor does, begins with a dot.
+        const bool is_hidden = entry->path().filename().string().starts_with('.');
+        if (!is_hidden && entry->path().extension() == ".toml") files.push_back(entry->path());
         entry.increment(error);
     }
     if (error) problems.push_back(folder.string() + ": the profiles cannot be read");

@@ -79,6 +79,16 @@ TEST(HouseKey, IsNewEachTimeAndToldByDigits) {
     EXPECT_EQ(std::ranges::count(digits, ' '), 5);
 }
 
+/// A key with another number checks no bundle of the house, so it has other digits too.
+TEST(HouseKey, IsToldByItsNumberToo) {
+    const PublicKey key = public_key_of(key_of(3));
+    for (std::size_t at = 0; at < key.number.size(); ++at) {
+        PublicKey other = key;
+        other.number[at] ^= 1U;
+        EXPECT_NE(fingerprint_of(other), fingerprint_of(key)) << at;
+    }
+}
+
 TEST(HouseKey, OfAnyTextIsOneOrNone) {
     for (const char* text : {"", "\n", "untrusted comment: a\n", "untrusted comment: a\nRWQ=\n",
                              "RWQ\nRWQ\n", "untrusted comment: a\n\xff\xff\n"})

@@ -89,10 +89,12 @@ class OneKiosk : public testing::Test {
         bool was_changed = false;
         for (int step = 1; !has_ended; ++step) {
             ASSERT_LT(step, beyond_all_steps);
-            for (int next = 1; next < 8; ++next) {
+            bool has_finished = false;
+            for (int next = 1; !has_finished; ++next) {
+                ASSERT_LT(next, beyond_all_steps);
                 put_back(kept.path());
                 has_ended = ends_before_step(step, work);
-                (void)ends_before_step(next, [this] { (void)finish_change(places()); });
+                has_finished = ends_before_step(next, [this] { (void)finish_change(places()); });
                 ASSERT_TRUE(finish_change(places()).has_value());
                 const FolderPicture now = picture();
                 ASSERT_TRUE(now == before || now == after) << "step " << step << ", " << next;
@@ -147,6 +149,69 @@ TEST_F(OneKiosk, IsAsBeforeOrAsAfterWhereverThePowerFails) {
 TEST_F(OneKiosk, IsAsBeforeOrAsAfterWhereverThePowerFailsOnTheWayBack) {
     do_change();
     lose_power_everywhere([this] { do_change_back(); });
+}
+
+/// What was not there is put back as it was, and all of it comes.
+TEST_F(OneKiosk, WaitsForAFolderThatIsNotThereWhenTheChangeIsFinished) {
+    const ScratchFolder kept(fast_folder());
+    fs::copy(folder_.path(), kept.path(), fs::copy_options::recursive);
+    do_change();
+    const FolderPicture after = picture();
+    const fs::path packs = folder_.path() / "packs";
+    const fs::path elsewhere = folder_.path() / "elsewhere";
+    int waits = 0;
+    for (const bool is_empty_folder_there : {false, true}) {
+        bool has_ended = false;
+        for (int step = 1; !has_ended; ++step) {
+            put_back(kept.path());
+            has_ended = ends_before_step(step, [this] { do_change(); });
+            if (!fs::exists(places().house / ".house-change")) continue;
+            fs::rename(packs, elsewhere);
+            if (is_empty_folder_there) fs::create_directory(packs);
+            EXPECT_FALSE(finish_change(places()).has_value() && picture()["packs"].empty() &&
+                         !fs::exists(places().house / ".house-change") &&
+                         fs::exists(elsewhere / ".house-in-1-gardens"))
+                << "step " << step;
+            fs::remove(packs);
+            fs::rename(elsewhere, packs);
+            ASSERT_TRUE(finish_change(places()).has_value()) << "step " << step;
+            EXPECT_EQ(picture(), after) << "step " << step;
+            ++waits;
+        }
+    }
+    EXPECT_GT(waits, 10);
+}
+
+TEST_F(OneKiosk, KeepsTheWayBackWhenABundleChangesNothing) {
+    const FolderPicture before = picture();
+    do_change();
+    ASSERT_TRUE(change(places(), {}, 200).has_value());
+    const auto record = read_change_record(places());
+    ASSERT_TRUE(record.has_value() && record->has_value());
+    EXPECT_EQ((*record)->made_s, 200) << "older bundles stay refused";
+    do_change_back();
+    EXPECT_EQ(picture(), before);
+}
+
+TEST_F(OneKiosk, ForgetsNoAgeByASecondWayBack) {
+    const auto only_new = [](const char* name) {
+        return std::vector<NewThing>{{HouseRoot::packs, name, {{"pack.toml", bytes_in("new")}}}};
+    };
+    ASSERT_TRUE(change(places(), only_new("one"), 100).has_value());
+    ASSERT_TRUE(change(places(), only_new("two"), 200).has_value());
+    ASSERT_TRUE(change(places(), only_new("three"), 300).has_value());
+    do_change_back();
+    const auto record = read_change_record(places());
+    ASSERT_TRUE(record.has_value() && record->has_value());
+    EXPECT_EQ((*record)->made_s, 200);
+    EXPECT_FALSE(can_change_back(places(), **record));
+}
+
+TEST_F(OneKiosk, IsUnchangedWhereWhoeverJudgesSaysNo) {
+    const FolderPicture before = picture();
+    EXPECT_FALSE(change(places(), things(), 100, [] { return failure("no"); }).has_value());
+    EXPECT_EQ(picture(), before);
+    EXPECT_EQ(hidden_things(), 0);
 }
 
 TEST_F(OneKiosk, IsUnchangedWhereSomethingCannotBeWritten) {

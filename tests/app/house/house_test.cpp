@@ -10,6 +10,7 @@
 #include "tests/config/scratch_folder.h"
 
 #include <algorithm>
+#include <fstream>
 
 #include <gtest/gtest.h>
 
@@ -172,6 +173,83 @@ TEST_F(House, GoesBackToBeforeTheBundle) {
     apply(made());
 }
 
+/// A typo in the settings: the kiosk runs on with others, which are nobody's to pass on.
+TEST_F(House, NeitherSignsNorReplacesSettingsThatItCannotRead) {
+    const Bytes bundle = made();
+    maker_.set("[feel\n");
+    const auto none = make_bundle(maker_.places(), first_day);
+    ASSERT_FALSE(none.has_value());
+    EXPECT_EQ(none.error().fault, BundleFault::disk);
+    EXPECT_NE(none.error().line.find("mend that file first"), std::string::npos);
+    other_.set("[feel\n");
+    expect_refused(bundle, BundleFault::disk, "mend that file first");
+}
+
+TEST_F(House, GoesBackAlsoToSettingsThatCannotBeTold) {
+    apply(made());
+    const fs::path kept = other_.places().settings.site.parent_path() / ".house-out-1-kiosk.toml";
+    ASSERT_TRUE(fs::exists(kept));
+    std::ofstream(kept) << "[feel\n";
+    const auto way = find_way_back(other_.places());
+    ASSERT_TRUE(way.has_value()) << way.error().line;
+    EXPECT_EQ(way_back_lines(*way, Language()).size(), 2U);
+    EXPECT_TRUE(go_back(*way, other_.places()).has_value());
+    EXPECT_EQ(other_.picture()["settings/kiosk.toml"], "[feel\n");
+}
+
+TEST_F(House, ReadsNoProfileOfBefore) {
+    maker_.add_profile("school", "[feel]\nfriction = 0.1\n");
+    const auto key = read_house_key(maker_.places());
+    const Bytes bundle = made();
+    maker_.add_profile("school", "[feel]\nfriction = 0.3\n");
+    const auto planned = plan_of_bundle(bundle, "x", maker_.places(), languages_);
+    ASSERT_TRUE(planned.has_value());
+    ASSERT_TRUE(apply_plan(*planned, maker_.places()).has_value());
+    ASSERT_TRUE(fs::exists(maker_.places().profiles / ".house-out-1-school.toml"));
+    std::vector<std::string> problems;
+    EXPECT_EQ(read_profiles(maker_.places().profiles, problems).size(), 1U);
+    EXPECT_TRUE(problems.empty()) << problems.front();
+    EXPECT_FALSE(made().empty());
+}
+
+TEST_F(House, AppliesNothingIfTheKioskWasChangedMeanwhile) {
+    const auto planned = plan(made());
+    ASSERT_TRUE(planned.has_value());
+    maker_.add_profile("club", "[feel]\nfriction = 0.3\n");
+    apply(made(std::chrono::hours(1)));
+    const FolderPicture newer = other_.picture();
+    const auto late = apply_plan(*planned, other_.places());
+    ASSERT_FALSE(late.has_value());
+    EXPECT_EQ(late.error().fault, BundleFault::changed_since);
+    EXPECT_EQ(other_.picture(), newer);
+    maker_.set("[feel]\nstiffness_N_per_m = 300\n");
+    const auto again = plan(made(std::chrono::hours(2)));
+    ASSERT_TRUE(again.has_value());
+    other_.set("[feel]\nfriction = 0.4\n");
+    EXPECT_FALSE(apply_plan(*again, other_.places()).has_value());
+    EXPECT_EQ(other_.settings().friction, 0.4);
+}
+
+TEST_F(House, FinishesWhatWasBegunBeforeItMakesABundle) {
+    const HousePlaces at = maker_.places();
+    const fs::path folder = at.settings.site.parent_path();
+    std::ofstream(folder / ".house-in-1-kiosk.toml") << "[feel]\nstiffness_N_per_m = 250\n";
+    std::ofstream(at.house / ".house-change")
+        << journal_text({{HouseRoot::settings, "kiosk.toml", incoming_name(1, "kiosk.toml"),
+                          outgoing_name(1, "kiosk.toml")}});
+    apply(made());
+    EXPECT_EQ(other_.settings().stiffness_N_per_m, 250.0);
+}
+
+/// The two switches are plugged in at one kiosk.
+TEST_F(House, LeavesToEachKioskItsButtonSwitches) {
+    other_.set("[keys]\ntwo_switches = 'by itself'\nscan_s = 3.0\n");
+    const auto before = other_.settings();
+    apply(made());
+    EXPECT_EQ(other_.settings().two_switches, before.two_switches);
+    EXPECT_EQ(other_.settings().scan_s, 3.0);
+}
+
 TEST_F(House, RefusesAnOlderBundleUntilItHasGoneBack) {
     const Bytes old = made();
     maker_.set("[feel]\nstiffness_N_per_m = 300\n");
@@ -286,6 +364,17 @@ TEST_F(House, KeepsItsKeyAndTrustsOneAlone) {
     EXPECT_EQ(fs::status(secret).permissions(), fs::perms::owner_read | fs::perms::owner_write);
     fs::permissions(secret, fs::perms::others_read, fs::perm_options::add);
     EXPECT_EQ(make_bundle(maker_.places(), first_day).error().fault, BundleFault::disk);
+    EXPECT_FALSE(trust_house_key(maker_.places(), stranger).has_value())
+        << "it has a secret key, although it cannot be read";
+}
+
+TEST_F(House, SaysThatBundlesAreMadeOnTheFirstKiosk) {
+    const auto none = make_bundle(other_.places(), first_day);
+    ASSERT_FALSE(none.has_value());
+    EXPECT_NE(none.error().line.find("first kiosk"), std::string::npos) << none.error().line;
+    const OneOfHouse stranger;
+    EXPECT_NE(make_bundle(stranger.places(), first_day).error().line.find("touchline bundle key"),
+              std::string::npos);
 }
 
 }  // namespace

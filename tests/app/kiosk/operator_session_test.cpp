@@ -6,12 +6,15 @@
 #include "app/documents/sticks/listing.h"
 #include "app/house/bundle_making.h"
 #include "app/house/house_keys.h"
+#include "app/kiosk/operator_house.h"
 #include "app/operator/pin.h"
 #include "tests/app/kiosk/kiosk_world.h"
 #include "tests/machines/sim/kiosk/house.h"
 
 #include <chrono>
 #include <fstream>
+#include <future>
+#include <new>
 #include <string>
 #include <thread>
 #include <vector>
@@ -312,7 +315,32 @@ class BundleOnTheStick : public PinAndPlug {
     }
 
     fs::path stick_ = world_.folder() / "stick";
+    std::string takes_a_moment_ = "This takes a moment. You hear when it is done.";
 };
+
+/// A bundle that waits for its stick is under way: what else is ordered is refused aloud.
+TEST(OperatorHouse, RefusesAloudWhatComesMeanwhileAndTellsOfMemory) {
+    const KioskWorld world;
+    const OperatorFiles files = world.site_files();
+    OperatorHouse house(files.house, files.copies);
+    std::promise<void> may_end;
+    const auto end = may_end.get_future().share();
+    const auto read = [end]() -> Result<Mapping, Outcome> {
+        end.wait();
+        throw std::bad_alloc();
+    };
+    house.look_at({"all", false, read}, {}, Language());
+    EXPECT_FALSE(house.poll().has_value());
+    house.make({}, Language());
+    const auto refused = house.poll();
+    ASSERT_TRUE(refused.has_value());
+    EXPECT_EQ(refused->outcome.said, "Something else is still being done. Wait.");
+    may_end.set_value();
+    std::optional<HouseNews> news;
+    while (!news) news = house.poll();
+    EXPECT_EQ(news->outcome.said, "Something cannot be read or saved here. The log says what.");
+    EXPECT_FALSE(news->outcome.line.empty());
+}
 
 TEST_F(BundleOnTheStick, ChangesNothingWithoutTheHouseKey) {
     EXPECT_EQ(answer_to("all"), "This kiosk has no house key. Install the house key first.");
@@ -330,6 +358,7 @@ TEST_F(BundleOnTheStick, IsToldAppliedAndTakenBack) {
         << told << operator_->take_note();
     ASSERT_TRUE(choose("Apply the bundle"));
     ASSERT_TRUE(choose("Yes"));
+    EXPECT_EQ(answer(), takes_a_moment_);
     EXPECT_EQ(answer(), "The bundle is applied.");
     ASSERT_TRUE(operator_->read_again());
     EXPECT_EQ(operator_->settings().stiffness_N_per_m, 400.0);
@@ -338,6 +367,7 @@ TEST_F(BundleOnTheStick, IsToldAppliedAndTakenBack) {
               std::string::npos);
     ASSERT_TRUE(choose("Go back"));
     ASSERT_TRUE(choose("Yes"));
+    EXPECT_EQ(answer(), takes_a_moment_);
     EXPECT_EQ(answer(), "All is as before the bundle.");
     ASSERT_TRUE(operator_->read_again());
     EXPECT_EQ(operator_->settings(), own);
@@ -347,7 +377,8 @@ TEST_F(BundleOnTheStick, IsMadeBesideTheSettings) {
     EXPECT_NE(answer_to("House key of this kiosk").find("House key of this kiosk"),
               std::string::npos);
     press(KeyRole::back);
-    EXPECT_EQ(answer_to("Make a bundle of this kiosk"), "The bundle is in copies.");
+    EXPECT_EQ(answer_to("Make a bundle of this kiosk"), takes_a_moment_);
+    EXPECT_EQ(answer(), "The bundle is in copies.");
     EXPECT_TRUE(fs::exists(files_.copies / "house.touchline-bundle"));
     EXPECT_TRUE(fs::exists(files_.copies / "house.touchline-key"));
 }
