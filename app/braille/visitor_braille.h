@@ -46,7 +46,7 @@ class VisitorBraille : public Interface {
     virtual void forget() = 0;
 };
 
-/// Of a site that has none.
+/// Stands for the display of a site that has none.
 class NoBraille final : public VisitorBraille {
   public:
     void say(const LineText& /*text*/, LineUse /*use*/) override {}

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view ports_by_kind = "/dev/serial/by-id";
 constexpr std::array<std::string_view, 2> makes{"moteus", "odrive"};
 
-/// Of the adapters as their makers name them.
+/// The adapters are called as their makers name them.
 bool is_adapter(MotorsMake make, const std::string& name) {
     const auto has = [&](std::string_view part) { return name.find(part) != std::string::npos; };
     return make == MotorsMake::moteus ? has("fdcanusb") || has("mjcanfd") : has("ODrive");

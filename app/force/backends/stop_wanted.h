@@ -3,7 +3,7 @@
 
 namespace touchline {
 
-/// From now on SIGINT, SIGTERM and SIGHUP do not end the process but are kept.
+/// Keeps SIGINT, SIGTERM and SIGHUP from now on; they do not end the process any more.
 void catch_stop_signals();
 
 /// True once one of them came.

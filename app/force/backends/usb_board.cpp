@@ -55,7 +55,7 @@ std::string name_of(const UsbDevice& device) {
 }
 
 MotorDevice with_motors(const UsbDevice& found) {
-    // From here on only the guard uses it.
+    // Only the guard uses it from here on.
     const auto device = std::make_shared<UsbDevice>(found);
     MotorDevice made;
     ServoProcessOptions& servo = made.servo;

@@ -59,7 +59,7 @@ const BoardFrame& frame_of(const PantographBoard& board) {
     return board.frame();
 }
 
-/// For words alone: motor 1 is that of joint 1.
+/// Serves for words alone: motor 1 is that of joint 1.
 BoardFrame frame_of(const MotorPantograph& motors) {
     return {motors.frame().profile(), Calibration{}};
 }

@@ -27,7 +27,8 @@ struct MotorsDevice {
     JointDrives drives;
 };
 
-/// For the command line of touchline-servo. motors_of() reads the same back, bit for bit.
+/// Returns words for the command line of touchline-servo. motors_of() reads the same back, bit for
+/// bit.
 [[nodiscard]] std::vector<std::string> arguments_of(const MotorsDevice& device);
 [[nodiscard]] Result<MotorsDevice> motors_of(MotorsMake make, std::span<const std::string> words);
 

@@ -33,4 +33,46 @@ class CutLine final : public ForceDevice {
     ForceDevice& behind_;
 };
 
+/// A device in software as a rig, with a hand that stands where it is told to. A derived rig tells
+/// what acts.
+template <class Device, class Options>
+class SimulatedRig : public DeviceRig {
+  public:
+    explicit SimulatedRig(const DeviceProfile& profile)
+        : profile_(profile), device_(profile, Options{}, hand_) {}
+
+    ForceDevice& device() override { return line_; }
+
+    [[nodiscard]] const DeviceProfile& profile() const override { return profile_; }
+
+    bool open() override { return true; }
+
+    [[nodiscard]] double now_s() const override { return now_s_; }
+
+    void pass(double span_s) override { now_s_ += span_s; }
+
+    void move_hand(Position p_D) override { hand_->move_to(picture_from_device(profile_, p_D)); }
+
+    void cut() override { line_.is_cut = true; }
+
+    void join() override { line_.is_cut = false; }
+
+    /// There are no bits to spoil.
+    void garble_next(unsigned /*seed*/) override {}
+
+    [[nodiscard]] Position true_p_D() const override {
+        return device_from_picture(profile_, device_.tip().position);
+    }
+
+  protected:
+    [[nodiscard]] const Device& simulated() const { return device_; }
+
+  private:
+    DeviceProfile profile_;
+    std::shared_ptr<MouseHand> hand_ = std::make_shared<MouseHand>(Position{});
+    Device device_;
+    CutLine line_{device_};
+    double now_s_ = 0.0;
+};
+
 }  // namespace touchline
