@@ -142,33 +142,32 @@ constexpr DeviceProfile open_arms{"open-five-bar",
                                   mk2_stretched,
                                   std::nullopt};
 
-// Not sold by anyone. Mechanics: between those of the five-bars and what a device with three axes
-// and gears may have.
-constexpr DeviceProfile made_up_cartesian() {
+constexpr DeviceProfile of_three_axes(std::string_view name, const Area& area, Position centre,
+                                      const MechanicsProfile& mechanics,
+                                      const CartesianDevice& device) {
     DeviceProfile profile;
-    profile.name = "cartesian";
-    profile.area = Area{0.116, 0.084};
-    profile.centre = Position{0.0, 0.15};
+    profile.name = name;
+    profile.area = area;
+    profile.centre = centre;
     profile.force_limit_N = 3.0;
-    profile.mechanics = MechanicsProfile{0.10, 0.3, 0.10, 1e-3};
-    profile.cartesian = CartesianDevice{2e-5, 1.8};
+    profile.mechanics = mechanics;
+    profile.cartesian = device;
     return profile;
 }
+
+// Not sold by anyone. Mechanics: between those of the five-bars and what a device with three axes
+// and gears may have.
+constexpr DeviceProfile made_up_cartesian =
+    of_three_axes("cartesian", Area{0.116, 0.084}, Position{0.0, 0.15},
+                  MechanicsProfile{0.10, 0.3, 0.10, 1e-3}, CartesianDevice{2e-5, 1.8});
 
 // The drawing area lies about the middle of the arm's reach, in which the maker's programs send the
 // handle 0.10 m around; all its corners are nearer. The maker publishes no mechanics: estimates.
-constexpr DeviceProfile inverse3() {
-    DeviceProfile profile;
-    profile.name = "inverse3";
-    profile.area = Area{0.160, 0.100};
-    profile.centre = Position{0.0, 0.12};
-    profile.force_limit_N = 3.0;
-    profile.mechanics = MechanicsProfile{0.15, 0.3, 0.10, 2e-3};
-    profile.cartesian = CartesianDevice{5e-5, 1.5};
-    return profile;
-}
+constexpr DeviceProfile inverse3 =
+    of_three_axes("inverse3", Area{0.160, 0.100}, Position{0.0, 0.12},
+                  MechanicsProfile{0.15, 0.3, 0.10, 2e-3}, CartesianDevice{5e-5, 1.5});
 
-constexpr std::array cartesians{made_up_cartesian(), inverse3()};
+constexpr std::array cartesians{made_up_cartesian, inverse3};
 
 }  // namespace
 
