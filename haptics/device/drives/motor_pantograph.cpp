@@ -55,36 +55,38 @@ void MotorPantograph::tick_at_rest() {
 
 // States do not matter any more; only what the controllers confirm does. Ages go on, for a driver
 // that was at work may be read again.
-bool MotorPantograph::wait_for_zero(int longest_ms) {
+bool MotorPantograph::wait_for(bool PairNews::*confirmed, int longest_ms) {
     is_held_zero_ = false;
-    for (int i = 0; i < longest_ms && !is_held_zero_; ++i) {
+    for (int i = 0; i < longest_ms; ++i) {
         (void)pair_->tell({});
         pair_->rest(pause_s);
         const PairNews news = pair_->step(pause_s);
-        if (news.state == PairState::gone) break;
+        if (news.state == PairState::gone) return false;
         is_held_zero_ = news.is_held_zero;
         if (last_s_) *last_s_ += pause_s;
         angles_age_s_ += pause_s;
         answer_age_s_ += pause_s;
         if (report_.state == DriveState::ready && news.turns) take(*news.turns);
+        if (news.*confirmed) return true;
     }
-    return is_held_zero_;
+    return false;
 }
 
 bool MotorPantograph::end_in_zero() {
     if (!pair_ || report_.state == DriveState::closed) return false;
-    if (report_.state == DriveState::ready && wait_for_zero(longest_zero_ms)) return true;
+    if (report_.state == DriveState::ready && wait_for(&PairNews::is_held_zero, longest_zero_ms))
+        return true;
     pair_->let_go();
-    return wait_for_zero(longest_end_ms);
+    return wait_for(&PairNews::is_let_go, longest_end_ms);
 }
 
 bool MotorPantograph::stop() {
     if (!pair_) return false;
     pair_->let_go();
-    const bool is_zero = wait_for_zero(longest_end_ms);
+    const bool is_let_go = wait_for(&PairNews::is_let_go, longest_end_ms);
     pair_.reset();
-    report_.state = is_zero ? DriveState::closed : DriveState::lost;
-    return is_zero;
+    report_.state = is_let_go ? DriveState::closed : DriveState::lost;
+    return is_let_go;
 }
 
 std::optional<JointAngles> MotorPantograph::read_angles(double now_s) {
