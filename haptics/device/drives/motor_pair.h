@@ -40,6 +40,7 @@ struct MotorTrouble {
 struct PairNews {
     PairState state = PairState::setting_up;
     std::optional<ShaftTurns> turns;  // newer than any before, of one moment; finite
+    double late_s = 0.0;              // of the turns, as Freshness
     bool is_held_zero = false;  // both confirmed that they hold zero torque or let their motors go,
                                 // and nothing else was sent since
     bool is_let_go = false;     // both confirmed that their motors are let go, after let_go()

@@ -51,6 +51,8 @@ class MotorPantograph final : public JointDevice {
     /// most 4 ms after the tick in which the answer came.
     [[nodiscard]] std::optional<JointAngles> read_angles(double now_s) override;
 
+    [[nodiscard]] Freshness freshness() const override { return freshness_; }
+
     /// Scales torques to the limit. For zero, returns true once both controllers confirmed that
     /// they hold it, so two ticks after the first at the earliest. For other torques, returns false
     /// if they could not be passed on. A torque that is not finite counts as zero and is reported.
@@ -82,8 +84,8 @@ class MotorPantograph final : public JointDevice {
     void begin_set_up();
     void begin_arming();
     void follow(const PairNews& news);
-    void take(ShaftTurns turns);
-    void judge_position(JointAngles angles);
+    void take(ShaftTurns turns, double late_s);
+    void judge_position(JointAngles angles, double late_s);
     void judge_age();
     void tick_at_rest();
     bool wait_for(bool PairNews::*confirmed, int longest_ms);
@@ -94,6 +96,7 @@ class MotorPantograph final : public JointDevice {
     std::optional<ShaftTurns> whole_;    // turns left out; nothing: not known since the set-up
     std::optional<JointAngles> angles_;  // last accepted
     std::optional<double> last_s_;       // on the caller's clock
+    Freshness freshness_;                // of these
     double angles_age_s_ = 0.0;
     double answer_age_s_ = 0.0;  // of the newest turns, accepted or not
     double set_up_age_s_ = 0.0;

@@ -2,6 +2,11 @@
 
 namespace touchline {
 
+void PairVerdict::step(double elapsed_s) {
+    now_s_ += elapsed_s;
+    turns_.reset();
+}
+
 void PairVerdict::set_up() {
     state_ = PairState::setting_up;
     trouble_ = {};
@@ -28,12 +33,19 @@ void PairVerdict::refuse(const MotorTrouble& trouble) {
 
 std::uint64_t PairVerdict::tell(bool has_torque) {
     ++told_;
+    told_at_.ask(now_s_);
     if (has_torque) zero_since_ = told_ + 1;
     return told_;
 }
 
-PairNews PairVerdict::news(const std::optional<ShaftTurns>& turns) const {
-    return {state_, turns, is_held_zero(), let_go_since_ && let_go_ >= *let_go_since_, wrong_};
+void PairVerdict::hear_turns(std::uint64_t number, ShaftTurns turns) {
+    turns_ = turns;
+    late_s_ = told_at_.late_s(told_ - number);
+}
+
+PairNews PairVerdict::news() const {
+    const bool is_let_go = let_go_since_ && let_go_ >= *let_go_since_;
+    return {state_, turns_, late_s_, is_held_zero(), is_let_go, wrong_};
 }
 
 MotorTrouble PairVerdict::trouble(int silent) const {

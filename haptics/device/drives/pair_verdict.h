@@ -3,6 +3,7 @@
 // go. The pair counts its messages here, and says which of them was answered how.
 #pragma once
 
+#include "haptics/device/asked_times.h"
 #include "haptics/device/drives/motor_pair.h"
 
 #include <cstdint>
@@ -13,6 +14,9 @@ namespace touchline {
 /// Messages to both controllers are numbered from 1. Threads: a plain value. O(1).
 class PairVerdict {
   public:
+    /// elapsed_s >= 0 passed; what came before is no news any more.
+    void step(double elapsed_s);
+
     /// Begins anew: no trouble is known and nobody wants the motors let go.
     void set_up();
 
@@ -42,6 +46,9 @@ class PairVerdict {
     /// Both answered this message that their motors are let go.
     void hear_let_go(std::uint64_t number) { let_go_ = number; }
 
+    /// Both answered this message with these turns.
+    void hear_turns(std::uint64_t number, ShaftTurns turns);
+
     /// Something came that was no answer.
     void hear_wrong() { ++wrong_; }
 
@@ -53,7 +60,7 @@ class PairVerdict {
     /// it was made, or since somebody was told of a trouble.
     [[nodiscard]] bool may_clear() const { return may_clear_; }
 
-    [[nodiscard]] PairNews news(const std::optional<ShaftTurns>& turns) const;
+    [[nodiscard]] PairNews news() const;
 
     /// What is wrong. Without a better reason, motor `silent` (0: nobody knows which) does not
     /// answer.
@@ -64,6 +71,10 @@ class PairVerdict {
     MotorTrouble trouble_;
     int doubts_ = 0;  // since the pair was ready
     bool may_clear_ = true;
+    double now_s_ = 0.0;
+    std::optional<ShaftTurns> turns_;  // of this step
+    double late_s_ = 0.0;
+    AskedTimes told_at_;
     std::uint64_t told_ = 0;
     std::uint64_t zero_since_ = 1;               // first message after which none had torque
     std::uint64_t held_zero_ = 0;                // newest at which both had none

@@ -41,7 +41,7 @@ std::optional<DeviceReading> Inverse3Device::read(double now_s) {
         return std::nullopt;
     }
     DeviceReading reading;
-    reading.is_new = std::exchange(handed_over_, news.places) != news.places;
+    reading.freshness = {std::exchange(handed_over_, news.places) != news.places, news.way_s};
     reading.p_D = seen_from_above(news.place_m);
     if (const auto& v = news.velocity_m_per_s) reading.velocity_D = Velocity{-v->x, -v->y};
     reading.off_plane = OffPlane{

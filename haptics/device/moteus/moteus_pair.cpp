@@ -68,11 +68,11 @@ void MoteusPair::go(Stage stage) {
 PairNews MoteusPair::step(double elapsed_s) {
     stage_s_ += elapsed_s;
     asked_s_ += elapsed_s;
-    turns_.reset();
+    verdict_.step(elapsed_s);
     while (const auto frame = link_->receive()) take(*frame);
     if (stage_ == Stage::set_mode || stage_ == Stage::read_mode) read_consoles();
     if (link_->is_gone()) verdict_.lose();
-    return verdict_.news(turns_);
+    return verdict_.news();
 }
 
 void MoteusPair::take(const CanFrame& frame) {
@@ -150,7 +150,7 @@ bool MoteusPair::is_followed(const Exchange& exchange, std::size_t motor) const 
 void MoteusPair::follow(const Exchange& exchange) {
     if (tells_fault(exchange)) return;
     if (!is_followed(exchange, 0) || !is_followed(exchange, 1)) return go_astray();
-    turns_ = ShaftTurns{exchange.status[0].turns, exchange.status[1].turns};
+    verdict_.hear_turns(exchange.number, {exchange.status[0].turns, exchange.status[1].turns});
 }
 
 // A controller measures its currents before it follows, and says so by its modes meanwhile.

@@ -96,7 +96,6 @@ class MoteusPair final : public MotorPair {
     std::uint64_t answered_ = 0;  // newest question that both answered
     int unknown_in_a_row_ = 0;
     bool are_absolute_ = false;
-    std::optional<ShaftTurns> turns_;  // of this step
 };
 
 /// Says what a fault code of the controller means and what to do about it.

@@ -66,7 +66,7 @@ void OdrivePair::go_astray() {
 
 PairNews OdrivePair::step(double elapsed_s) {
     stage_s_ += elapsed_s;
-    turns_.reset();
+    verdict_.step(elapsed_s);
     std::array<std::uint8_t, 512> bytes{};
     while (const std::size_t size = port_->read(bytes)) {
         std::span<const std::uint8_t> unread(bytes.data(), size);
@@ -77,7 +77,7 @@ PairNews OdrivePair::step(double elapsed_s) {
     if (stage_ == Stage::quiet && deaf_s_ <= 0.0)
         go(verdict_.may_clear() ? Stage::arm : Stage::look);
     if (port_->is_gone()) verdict_.lose();
-    return verdict_.news(turns_);
+    return verdict_.news();
 }
 
 void OdrivePair::take(std::string_view line) {
@@ -128,7 +128,7 @@ void OdrivePair::complete(const Burst& burst) {
         go(Stage::ready);
     }
     if (stage_ == Stage::ready && burst.questions[0].asked == Asked::place)
-        turns_ = ShaftTurns{burst.questions[0].answer, burst.questions[1].answer};
+        verdict_.hear_turns(burst.number, {burst.questions[0].answer, burst.questions[1].answer});
 }
 
 void OdrivePair::read_back(const Burst& burst) {

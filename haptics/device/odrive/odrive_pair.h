@@ -109,7 +109,6 @@ class OdrivePair final : public MotorPair {
     std::size_t first_open_ = 0;
     std::size_t open_count_ = 0;
     bool are_absolute_ = false;
-    std::optional<ShaftTurns> turns_;  // of this step
 };
 
 }  // namespace touchline

@@ -117,8 +117,8 @@ TEST(Inverse3Device, APlaceThatWasToldBeforeIsNotNew) {
         if (i % 20 == 0) rig.link->spoil(AnswerFault::late, 1, 0.0025);
         const auto told = rig.tick();
         ASSERT_TRUE(told && told->p_D);
-        EXPECT_TRUE(i == 0 || told->is_new == (*told->p_D != before)) << i;
-        repeated += told->is_new ? 0 : 1;
+        EXPECT_TRUE(i == 0 || told->freshness.is_new == (*told->p_D != before)) << i;
+        repeated += told->freshness.is_new ? 0 : 1;
         before = *told->p_D;
     }
     EXPECT_GE(repeated, 10);
