@@ -1,6 +1,5 @@
 #include "haptics/device/inverse3/inverse3_device.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
