@@ -226,10 +226,6 @@ BundleResult<BundlePlan> plan_of_bundle(std::span<const std::byte> bytes, const 
 BundleResult<void> apply_plan(const BundlePlan& plan, const HousePlaces& places) {
     const std::string settings = site_text(plan.after);
     std::vector<NewThing> things;
-    if (plan.after != plan.before)
-        things.push_back({HouseRoot::settings,
-                          site_file_name(places),
-                          {{"", std::as_bytes(std::span(settings))}}});
     for (const PlannedProfile& profile : plan.profiles)
         things.push_back({HouseRoot::profiles,
                           profile.name + ".toml",
@@ -243,6 +239,11 @@ BundleResult<void> apply_plan(const BundlePlan& plan, const HousePlaces& places)
     for (const PlannedNetwork& planned : plan.networks)
         things.push_back(
             {HouseRoot::networks, std::string(planned.network->file), {{"", planned.bytes}}});
+    // After the profiles: a running kiosk must not find the name of one that is not there yet.
+    if (plan.after != plan.before)
+        things.push_back({HouseRoot::settings,
+                          site_file_name(places),
+                          {{"", std::as_bytes(std::span(settings))}}});
     bool is_as_seen = true;
     const auto done = change(places, things, plan.made_s, [&] {
         auto judged = judge_anew(plan, places);

@@ -4,6 +4,7 @@
 #include "app/documents/models/networks.h"
 #include "app/documents/packs/pack.h"
 #include "app/documents/packs/pack_library.h"
+#include "app/house/changing.h"
 #include "app/isolation/process/places.h"
 #include "app/operator/backup.h"
 #include "app/operator/pin.h"
@@ -234,14 +235,13 @@ OperatorSession::OperatorSession(OperatorFiles files, const std::vector<Language
                                  std::vector<std::string>& problems)
     : files_(std::move(files)),
       watch_(files_.settings.site),
+      applied_(change_record_file(files_.house)),
       stick_(files_.import_program),
       house_(files_.house, files_.copies) {
     if (const auto done = finish_change(files_.house); !done) problems.push_back(done.error().line);
-    read_profiles_again(problems);
     for (const Language& language : languages)
         languages_.push_back({language.code(), language.name()});
-    read_site();
-    if (!note_.empty()) problems.push_back(take_note());
+    read_site(problems);
     KeptKeys keys = read_keys(files_.keys);
     if (!keys.note.empty()) problems.push_back(keys.note);
     keys_ = std::move(keys.keys);
@@ -261,10 +261,12 @@ OperatorSession::OperatorSession(OperatorFiles files, const std::vector<Language
                            ": make room on its disk, and let the kiosk write there");
 }
 
-void OperatorSession::read_site() {
+void OperatorSession::read_site(std::vector<std::string>& problems) {
+    profiles_ = read_profiles(files_.profiles, files_.house.profiles, problems);
     KeptSettings kept = read_settings(files_.settings);
-    note_ = std::move(kept.note);
+    if (!kept.note.empty()) problems.push_back(std::move(kept.note));
     hold(kept.settings);
+    if (!note_.empty()) problems.push_back(take_note());
 }
 
 void OperatorSession::hold(const Settings& site) {
@@ -274,15 +276,15 @@ void OperatorSession::hold(const Settings& site) {
     settings_ = held.value_or(site);
 }
 
-void OperatorSession::read_profiles_again(std::vector<std::string>& problems) {
-    profiles_ = read_profiles(files_.profiles, files_.house.profiles, problems);
-}
-
 bool OperatorSession::read_again() {
     const bool is_new = std::exchange(has_new_site_, false);
-    if (!is_new && (is_open() || !watch_.has_changed())) return false;
-    if (is_new) (void)watch_.has_changed();
-    read_site();
+    if (!is_new && is_open()) return false;
+    const bool is_set = watch_.has_changed();
+    const bool is_applied = applied_.has_changed();
+    if (!is_new && !is_set && !is_applied) return false;
+    std::vector<std::string> problems;
+    read_site(problems);
+    if (!problems.empty()) note_ = std::move(problems.back());
     return true;
 }
 
@@ -421,12 +423,7 @@ std::vector<OperatorEvent> OperatorSession::poll_house() {
     auto news = house_.poll();
     if (!is_inside()) house_.forget();
     if (!news) return {};
-    if (news->has_changed) {
-        std::vector<std::string> problems;
-        read_profiles_again(problems);
-        for (const std::string& problem : problems) note_ = problem;
-        has_new_site_ = true;
-    }
+    if (news->has_changed) has_new_site_ = true;
     std::vector<OperatorEvent> events;
     if (news->place) events.emplace_back(HouseLooked{*news->place});
     const std::string said = told(std::move(news->outcome));
