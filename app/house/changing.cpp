@@ -26,12 +26,6 @@ constexpr const char* journal_name = ".house-change";
 constexpr const char* record_name = "applied.txt";
 constexpr const char* lock_name = "lock";
 
-/// Counts what cannot be examined: whoever takes it for missing would take a move for done.
-bool is_there(const fs::path& path) {
-    std::error_code error;
-    return fs::symlink_status(path, error).type() != fs::file_type::not_found;
-}
-
 /// One call at a time, over all processes. Held until its owner goes.
 Result<Descriptor> take_lock(const HousePlaces& places) {
     std::error_code error;

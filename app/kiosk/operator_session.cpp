@@ -41,9 +41,22 @@ Outcome outcome(const Result<void>& done, std::string said, const char* why_not,
     return {language.text("operator", why_not), done.error().line};
 }
 
+/// Its bytes, or a sentence for the operator. Waits for the stick.
+using StickFileReader = std::function<Result<Mapping, Outcome>()>;
+
+StickFileReader reader_of(const OperatorStick& stick, std::size_t file, const Language& language) {
+    return [read = stick.reader_of(file), language]() -> Result<Mapping, Outcome> {
+        auto bytes = read();
+        if (bytes) return std::move(*bytes);
+        const std::string why = sentence_of(bytes.error(), "");
+        return tl::unexpected(
+            Outcome{told_of_file(why, stick_trouble, language, ToldTo::staff), why});
+    };
+}
+
 /// A file of the operator's stick.
 struct Brought {
-    std::function<Result<Mapping, StickRefusal>()> read;
+    StickFileReader read;
     StickFileKind kind;
     std::string name;  // for the screen
 };
@@ -87,10 +100,7 @@ Outcome import_network(std::span<const std::byte> bytes, const std::string& name
 Outcome imported(const Brought& file, const fs::path& library, const Language& language) {
     try {
         const auto bytes = file.read();
-        if (!bytes) {
-            const std::string why = sentence_of(bytes.error(), "");
-            return {told_of_file(why, stick_trouble, language, ToldTo::staff), why};
-        }
+        if (!bytes) return bytes.error();
         return file.kind == StickFileKind::network
                    ? import_network(bytes->bytes(), file.name, language)
                    : import_pictures(bytes->bytes(), file.name, library, language);
@@ -217,9 +227,7 @@ struct OperatorSession::Office {
 
     void operator()(const GoBackToBefore&) const { session.house_.go_back(language); }
 
-    void operator()(const MakeBundle&) const {
-        session.house_.make(session.facts_.today, language);
-    }
+    void operator()(const MakeBundle&) const { session.house_.make(language); }
 
     void operator()(const ShowHouseKey&) const { session.house_.show_key(language); }
 
@@ -381,9 +389,10 @@ void OperatorSession::import_from_stick(std::size_t file, const Language& langua
     const auto files = stick_files(false);
     if (file >= files.size() || import_.valid()) return;
     const std::size_t at = files[file];
-    import_ = std::async(std::launch::async, imported,
-                         Brought{stick_.reader_of(at), stick_.kind_of(at), stick_.names()[at]},
-                         files_.library, language);
+    import_ =
+        std::async(std::launch::async, imported,
+                   Brought{reader_of(stick_, at, language), stick_.kind_of(at), stick_.names()[at]},
+                   files_.library, language);
 }
 
 void OperatorSession::look_at_house_file(std::size_t file, const Language& language) {
@@ -392,14 +401,8 @@ void OperatorSession::look_at_house_file(std::size_t file, const Language& langu
     const std::size_t at = files[file];
     std::vector<std::string> codes;
     for (const OfferedLanguage& each : languages_) codes.push_back(each.code);
-    const auto read = [reader = stick_.reader_of(at), language]() -> Result<Mapping, Outcome> {
-        auto bytes = reader();
-        if (bytes) return std::move(*bytes);
-        const std::string why = sentence_of(bytes.error(), "");
-        return tl::unexpected(
-            Outcome{told_of_file(why, stick_trouble, language, ToldTo::staff), why});
-    };
-    house_.look_at({stick_.names()[at], stick_.kind_of(at) == StickFileKind::house_key, read},
+    house_.look_at({stick_.names()[at], stick_.kind_of(at) == StickFileKind::house_key,
+                    reader_of(stick_, at, language)},
                    std::move(codes), language);
 }
 

@@ -372,7 +372,7 @@ TEST(OperatorHouse, RefusesAloudWhatComesMeanwhileAndTellsOfMemory) {
     };
     house.look_at({"all", false, read}, {}, Language());
     EXPECT_FALSE(house.poll().has_value());
-    house.make({}, Language());
+    house.make(Language());
     const auto refused = house.poll();
     ASSERT_TRUE(refused.has_value());
     EXPECT_EQ(refused->outcome.said, "Something else is still being done. Wait.");
@@ -419,7 +419,7 @@ TEST_F(BundleOnTheStick, IsMadeBesideTheSettings) {
               std::string::npos);
     press(KeyRole::back);
     EXPECT_EQ(answer_to("Make a bundle of this kiosk"), takes_a_moment_);
-    EXPECT_EQ(answer(), "The bundle is in copies.");
+    EXPECT_EQ(answer(), "The bundle is in the folder copies, beside the settings.");
     EXPECT_TRUE(fs::exists(files_.copies / "house.touchline-bundle"));
     EXPECT_TRUE(fs::exists(files_.copies / "house.touchline-key"));
 }
