@@ -198,7 +198,7 @@ void Kiosk::step(std::int64_t now_ns) {
     handle_.look();
     follow_braille();
     if (now_s_ - ticked_s_ >= tick_s) tick();
-    sound_->step({hand(), shown().scene.get(), handle_.target()});
+    sound_->step({hand(), shown().scene.get(), handle_.target(), is_nobody_here()});
 }
 
 void Kiosk::tick() {
