@@ -14,7 +14,7 @@ constexpr int most_attempts = 3;
 constexpr int jumps_that_count = 3;
 constexpr double pause_s = 0.001;
 constexpr int longest_zero_ms = 20;
-constexpr int longest_end_ms = 50;
+constexpr int longest_end_ms = 200;
 
 }  // namespace
 
