@@ -173,6 +173,7 @@ struct BundleCommandOptions {
     std::string input;        // the bundle; for key: the file of a key, or empty
     std::string output;       // for make; for key: where the key goes, or empty
     std::string fingerprint;  // for key
+    bool is_agreed = false;   // for undo: go back, not only tell
 };
 
 /// Fails with one line, and then nothing was changed.

@@ -95,16 +95,23 @@ Result<void> look_or_apply(const BundleCommandOptions& options, std::ostream& ou
                               : applies     ? "; applied, 'touchline bundle undo' leads back"
                                             : "; nothing was changed"))
         << '\n';
+    if (applies && !plan->packs.empty())
+        out << "its packs of pictures will be there when the kiosk next starts\n";
     return {};
 }
 
-Result<void> undo_last(std::ostream& out) {
+/// Tells what would go back; then it does, if that was asked.
+Result<void> look_or_go_back(const BundleCommandOptions& options, std::ostream& out) {
     const HousePlaces places = house_places();
     const auto way = find_way_back(places);
     if (!way) return as_failure(way.error());
-    const auto lines = way_back_lines(*way, Language());
+    tell_lines(way_back_lines(*way, Language()), out);
+    if (!options.is_agreed) {
+        out << "nothing was changed; 'touchline bundle undo --yes' goes back, and what was set "
+               "since the bundle is lost\n";
+        return {};
+    }
     if (const auto done = go_back(*way, places); !done) return as_failure(done.error());
-    tell_lines(lines, out);
     out << "this kiosk is as before the bundle\n";
     return {};
 }
@@ -121,7 +128,7 @@ Result<void> run_bundle(const BundleCommandOptions& options, std::ostream& out) 
         case BundleAction::apply:
             return look_or_apply(options, out);
         case BundleAction::undo:
-            return undo_last(out);
+            return look_or_go_back(options, out);
     }
     return {};
 }

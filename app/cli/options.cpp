@@ -403,7 +403,8 @@ class CommandLine {
         add("apply", BundleAction::apply, "Change it, all or nothing")
             ->add_option("file", bundle_.input, "NAME.touchline-bundle")
             ->required();
-        add("undo", BundleAction::undo, "Back to before the last bundle");
+        add("undo", BundleAction::undo, "What going back to before the last bundle would change")
+            ->add_flag("--yes", bundle_.is_agreed, "Go back");
     }
 
     void add_counters() {

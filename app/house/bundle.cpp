@@ -138,7 +138,7 @@ std::string sentence_of(BundleFault fault, const Language& language) {
         "A newer bundle was applied here before. Nothing was changed.",
         "Something in the bundle cannot be used here. The log says what.",
         "A pack of pictures is newer here than in the bundle. Make a new bundle.",
-        "There is too much for one bundle. Remove packs of pictures.",
+        "There is too much for one bundle. Remove packs of pictures. The manual says how.",
         "Something cannot be read or saved here. The log says what.",
         "There is no bundle to go back from.",
         "This kiosk was changed meanwhile. Choose the bundle once more.",

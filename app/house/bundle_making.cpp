@@ -4,6 +4,7 @@
 #include "app/documents/decode/one_line.h"
 #include "app/documents/models/networks.h"
 #include "app/documents/packs/pack.h"
+#include "app/documents/packs/pack_library.h"
 #include "app/documents/packs/unpacking.h"
 #include "app/house/changing.h"
 #include "app/house/house_keys.h"
@@ -69,14 +70,7 @@ BundleResult<void> add_pack(const fs::path& folder, Gathered& gathered) {
 }
 
 BundleResult<void> add_packs(const HousePlaces& places, Gathered& gathered) {
-    std::error_code error;
-    std::vector<fs::path> folders;
-    for (fs::directory_iterator it(places.library, error), end; !error && it != end;
-         it.increment(error))
-        if (it->symlink_status(error).type() == fs::file_type::directory &&
-            !it->path().filename().string().starts_with('.'))
-            folders.push_back(it->path());
-    for (const fs::path& folder : folders)
+    for (const fs::path& folder : installed_packs(places.library))
         if (auto added = add_pack(folder, gathered); !added) return added;
     return {};
 }

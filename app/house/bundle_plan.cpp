@@ -88,10 +88,10 @@ struct Planner {
         if (!judged) return bad(judged.error().line);
         brought.push_back({file.name, text, {}});
         const fs::path here = places.profiles / (file.name + ".toml");
-        std::error_code error;
-        const bool is_new = !fs::exists(here, error);
-        if (is_new || read_text(here.string()).value_or("") != text)
-            plan.profiles.push_back({file.name, text, is_new});
+        plan.seen.push_back(see(places, HouseRoot::profiles, file.name + ".toml"));
+        const auto text_here = read_text(here.string());
+        if (!text_here || *text_here != text)
+            plan.profiles.push_back({file.name, text, !is_there(here)});
         return {};
     }
 
@@ -99,14 +99,10 @@ struct Planner {
         auto pack = read_pack(file.bytes);
         if (!pack) return bad(told(file, pack.error()));
         if (pack->info.id != file.name) return bad(name_in_bundle(file) + ": is another pack");
-        const fs::path folder = places.library / file.name;
-        std::error_code error;
-        std::optional<PackVersion> here;
-        if (fs::exists(folder, error)) {
-            const auto installed = read_pack(folder.string());
-            if (installed && installed->files == pack->files) return {};
-            if (installed) here = installed->info.version;
-        }
+        const auto installed = read_pack((places.library / file.name).string());
+        plan.seen.push_back(seen_pack(file.name, installed));
+        if (installed && installed->files == pack->files) return {};
+        const auto here = installed ? std::optional(installed->info.version) : std::nullopt;
         if (here && pack->info.version < *here)
             return bundle_failure(
                 BundleFault::older_pack,
@@ -174,7 +170,11 @@ BundleError as_of_newer_program(BundleError error, const Bundle& bundle) {
 Result<void> judge_anew(const BundlePlan& plan, const HousePlaces& places) {
     const auto last = read_change_record(places);
     const auto settings = read_settings_as_written(places);
-    if (last && settings && *last == plan.last && *settings == plan.before) return {};
+    const bool is_as_told = last && settings && *last == plan.last && *settings == plan.before &&
+                            std::ranges::all_of(plan.seen, [&](const SeenThing& thing) {
+                                return is_as_seen(places, thing);
+                            });
+    if (is_as_told) return {};
     return failure(
         "this kiosk was changed meanwhile; nothing of the bundle was applied, look at "
         "it again");
@@ -226,10 +226,6 @@ BundleResult<BundlePlan> plan_of_bundle(std::span<const std::byte> bytes, const 
 BundleResult<void> apply_plan(const BundlePlan& plan, const HousePlaces& places) {
     const std::string settings = site_text(plan.after);
     std::vector<NewThing> things;
-    if (plan.after != plan.before)
-        things.push_back({HouseRoot::settings,
-                          site_file_name(places),
-                          {{"", std::as_bytes(std::span(settings))}}});
     for (const PlannedProfile& profile : plan.profiles)
         things.push_back({HouseRoot::profiles,
                           profile.name + ".toml",
@@ -243,6 +239,11 @@ BundleResult<void> apply_plan(const BundlePlan& plan, const HousePlaces& places)
     for (const PlannedNetwork& planned : plan.networks)
         things.push_back(
             {HouseRoot::networks, std::string(planned.network->file), {{"", planned.bytes}}});
+    // After the profiles: a running kiosk must not find the name of one that is not there yet.
+    if (plan.after != plan.before)
+        things.push_back({HouseRoot::settings,
+                          site_file_name(places),
+                          {{"", std::as_bytes(std::span(settings))}}});
     bool is_as_seen = true;
     const auto done = change(places, things, plan.made_s, [&] {
         auto judged = judge_anew(plan, places);
@@ -261,12 +262,16 @@ BundleResult<WayBack> find_way_back(const HousePlaces& places) {
     if (!*record || !can_change_back(places, **record))
         return bundle_failure(BundleFault::nothing_to_undo,
                               "no bundle was applied here, or what was before is gone");
-    WayBack way{**record, read_settings(places.settings).settings, {}};
+    WayBack way{**record, read_settings(places.settings).settings, {}, {}};
     way.before = way.now;
     const auto changed =
         std::ranges::find(way.record.things, HouseRoot::settings, &ChangedThing::root);
     if (changed != way.record.things.end())
         way.before = settings_before(places, way.record, *changed).value_or(way.now);
+    for (const ChangedThing& thing : way.record.things)
+        if (auto info = thing.root == HouseRoot::packs ? installed_info(places.library / thing.name)
+                                                       : PackResult<PackInfo>())
+            way.packs.push_back(std::move(*info));
     return way;
 }
 

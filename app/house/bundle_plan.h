@@ -7,6 +7,7 @@
 #include "app/house/bundle.h"
 #include "app/house/changing.h"
 #include "app/house/places.h"
+#include "app/house/seen.h"
 #include "config/settings/settings.h"
 
 #include <cstdint>
@@ -37,6 +38,7 @@ struct PlannedNetwork {
 struct BundlePlan {
     std::int64_t made_s = 0;
     std::optional<ChangeRecord> last;  // the change that the kiosk was at
+    std::vector<SeenThing> seen;       // all profiles and packs of the bundle, also those alike
     Settings before;
     Settings after;
     std::vector<PlannedProfile> profiles;
@@ -56,7 +58,7 @@ struct BundlePlan {
 [[nodiscard]] std::vector<std::string> plan_lines(const BundlePlan& plan, const Language& language);
 
 /// Puts all of it in place, or nothing (changing.h). Fails with `changed_since` if another bundle
-/// was applied or the settings were changed since the plan was made.
+/// was applied, or the settings, a profile or a pack of it were changed since the plan was made.
 [[nodiscard]] BundleResult<void> apply_plan(const BundlePlan& plan, const HousePlaces& places);
 
 /// What going back to before the last bundle would change. The settings are alike where one of the
@@ -65,6 +67,7 @@ struct WayBack {
     ChangeRecord record;
     Settings now;
     Settings before;
+    std::vector<PackInfo> packs;  // of the record, as they are now: for their titles
 };
 
 /// Fails with `nothing_to_undo` if there is none.

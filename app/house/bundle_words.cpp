@@ -4,6 +4,8 @@
 #include "audio-cues/words/language.h"
 #include "config/settings/setting_rows.h"
 
+#include <algorithm>
+
 namespace touchline {
 namespace {
 
@@ -31,8 +33,14 @@ std::string pack_line(const PlannedPack& planned, const Language& language) {
                         {title, text_of(*planned.here), text_of(info.version)});
 }
 
+/// A pack that was taken out since, or damaged, has its id alone.
+std::string pack_title(const WayBack& way, const std::string& id, const Language& language) {
+    const auto info = std::ranges::find(way.packs, id, &PackInfo::id);
+    return info == way.packs.end() ? id : title_in(*info, language.code());
+}
+
 /// What a thing is called once it goes back, or goes.
-std::string way_back_line(const ChangedThing& thing, const Language& language) {
+std::string way_back_line(const WayBack& way, const ChangedThing& thing, const Language& language) {
     const std::string name = thing.name.substr(0, thing.name.find('.'));
     switch (thing.root) {
         case HouseRoot::profiles:
@@ -40,8 +48,9 @@ std::string way_back_line(const ChangedThing& thing, const Language& language) {
                                 thing.was_there ? "Profile {0}: as before" : "Profile {0}: removed",
                                 {language.text("profile", name)});
         case HouseRoot::packs:
-            return bundle_words(
-                language, thing.was_there ? "Pack {0}: as before" : "Pack {0}: removed", {name});
+            return bundle_words(language,
+                                thing.was_there ? "Pack {0}: as before" : "Pack {0}: removed",
+                                {pack_title(way, thing.name, language)});
         case HouseRoot::networks:
             return bundle_words(language,
                                 thing.was_there ? "Network {0}: as before" : "Network {0}: removed",
@@ -72,7 +81,7 @@ std::vector<std::string> way_back_lines(const WayBack& way, const Language& lang
     std::vector<std::string> lines;
     add_setting_lines(way.now, way.before, language, lines);
     for (const ChangedThing& thing : way.record.things)
-        if (std::string line = way_back_line(thing, language); !line.empty())
+        if (std::string line = way_back_line(way, thing, language); !line.empty())
             lines.push_back(std::move(line));
     return lines;
 }

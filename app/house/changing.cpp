@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <ranges>
 #include <system_error>
 
 #include <fcntl.h>
@@ -24,12 +25,6 @@ namespace fs = std::filesystem;
 constexpr const char* journal_name = ".house-change";
 constexpr const char* record_name = "applied.txt";
 constexpr const char* lock_name = "lock";
-
-/// Counts what cannot be examined: whoever takes it for missing would take a move for done.
-bool is_there(const fs::path& path) {
-    std::error_code error;
-    return fs::symlink_status(path, error).type() != fs::file_type::not_found;
-}
 
 /// One call at a time, over all processes. Held until its owner goes.
 Result<Descriptor> take_lock(const HousePlaces& places) {
@@ -175,13 +170,17 @@ std::optional<fs::path> record_before(const HousePlaces& places, const ChangeRec
 Result<void> become_later(const HousePlaces& places, ChangeRecord record, std::int64_t made_s) {
     if (made_s <= record.made_s) return {};
     record.made_s = made_s;
-    return write_whole_file((places.house / record_name).string(), record_text(record));
+    return write_whole_file(change_record_file(places).string(), record_text(record));
 }
 
 }  // namespace
 
+fs::path change_record_file(const HousePlaces& places) {
+    return places.house / record_name;
+}
+
 Result<std::optional<ChangeRecord>> read_change_record(const HousePlaces& places) {
-    const fs::path file = places.house / record_name;
+    const fs::path file = change_record_file(places);
     if (!is_there(file)) return std::optional<ChangeRecord>();
     const auto text = read_text(file.string());
     if (!text) return tl::unexpected(text.error());
@@ -248,7 +247,8 @@ Result<void> change_back(const HousePlaces& places, const ChangeRecord& record) 
         return failure("what was before the bundle is not there any more");
     const std::uint64_t number = record.number + 1;
     std::vector<Move> moves;
-    for (const ChangedThing& thing : record.things)
+    // What names something goes back before it, as it came after it.
+    for (const ChangedThing& thing : std::views::reverse(record.things))
         moves.push_back({thing.root, thing.name,
                          thing.was_there ? outgoing_name(record.number, thing.name) : "",
                          outgoing_name(number, thing.name)});

@@ -12,6 +12,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <span>
@@ -33,6 +34,9 @@ struct NewThing {
     std::string name;  // of one part, without a dot at its beginning
     std::vector<NewBytes> files;
 };
+
+/// The record's file. It is put in place last of all: whoever watches it sees what changed whole.
+[[nodiscard]] std::filesystem::path change_record_file(const HousePlaces& places);
 
 /// Nothing if no bundle was applied. Fails with one line if the file cannot be used.
 [[nodiscard]] Result<std::optional<ChangeRecord>> read_change_record(const HousePlaces& places);

@@ -38,7 +38,7 @@ BundleResult<PublicKey> read_house_key(const HousePlaces& places) {
 BundleResult<SecretKey> read_secret_key(const HousePlaces& places) {
     const fs::path file = places.house / secret_name;
     std::error_code error;
-    if (!is_private_there(file))
+    if (!is_there(file))
         return bundle_failure(
             BundleFault::no_secret_key,
             fs::exists(places.house / public_name, error)

@@ -189,6 +189,7 @@ void Kiosk::step(std::int64_t now_ns) {
     now_s_ = 1e-9 * static_cast<double>(now_ns);
     if (!started_s_) started_s_ = now_s_;
     handle_.set_time(now_s_);
+    handle_.set_nobody_here(is_nobody_here());
     follow_headphones();
     follow_stick(now_ns);
     follow_loader();
@@ -197,7 +198,7 @@ void Kiosk::step(std::int64_t now_ns) {
     handle_.look();
     follow_braille();
     if (now_s_ - ticked_s_ >= tick_s) tick();
-    sound_->step({hand(), shown().scene.get(), handle_.target()});
+    sound_->step({hand(), shown().scene.get(), handle_.target(), is_nobody_here()});
 }
 
 void Kiosk::tick() {

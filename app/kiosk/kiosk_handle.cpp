@@ -38,6 +38,12 @@ KioskHandle::KioskHandle(std::unique_ptr<ServoClient> servo, const DeviceProfile
                          const Settings& settings)
     : servo_(std::move(servo)), profile_(profile), settings_(settings) {}
 
+void KioskHandle::set_nobody_here(bool is_nobody_here) {
+    if (is_nobody_here_ == is_nobody_here) return;
+    is_nobody_here_ = is_nobody_here;
+    set_servo();
+}
+
 void KioskHandle::carry_out(const Feel& feel) {
     feel_ = feel;
     set_servo();
@@ -111,6 +117,7 @@ void KioskHandle::set_servo() {
     commands.is_level_auto = settings_.is_level_automatic;
     commands.level = settings_.fixed_level;
     commands.is_force_wanted = (feel_.is_force_wanted || is_motor_test_on()) && !is_handle_locked_;
+    commands.may_rest = is_nobody_here_;
     commands.force_ceiling_N = settings_.force_ceiling_N;
     commands.guidance = guidance_;
     commands.pattern = pattern_;

@@ -24,6 +24,9 @@ class KioskHandle {
     /// The time of all that follows.
     void set_time(double now_s) { now_s_ = now_s; }
 
+    /// While nobody is here the servo may rest.
+    void set_nobody_here(bool is_nobody_here);
+
     void carry_out(const Feel& feel);
     void carry_out(const Guide& guide);
     void carry_out(const GivePattern& given);
@@ -84,6 +87,7 @@ class KioskHandle {
     bool is_emergency_stop_ = false;
     std::uint32_t faults_cleared_ = 0;
     bool is_handle_locked_ = false;
+    bool is_nobody_here_ = false;
     double motor_test_s_ = 0.0;  // when it began; 0: none
     bool is_motor_test_due_ = false;
     bool is_recording_due_ = false;

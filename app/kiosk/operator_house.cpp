@@ -5,6 +5,7 @@
 #include "app/house/house_keys.h"
 #include "app/operator/settings_files.h"
 
+#include <chrono>
 #include <exception>
 #include <utility>
 
@@ -153,16 +154,18 @@ void OperatorHouse::trust_key(const Language& language) {
         language);
 }
 
-void OperatorHouse::make(std::chrono::sys_days today, const Language& language) {
+void OperatorHouse::make(const Language& language) {
     begin(
-        [places = places_, copies = copies_, today, language]() -> Done {
-            const auto bundle = make_bundle(places, today);
+        [places = places_, copies = copies_, language]() -> Done {
+            using std::chrono::floor, std::chrono::seconds, std::chrono::system_clock;
+            const auto bundle = make_bundle(places, floor<seconds>(system_clock::now()));
             if (!bundle) return {news_of(bundle.error(), language), {}};
             std::error_code error;
             fs::create_directories(copies, error);
             const auto written = write_whole_file((copies / bundle_name).string(), *bundle);
             if (!written) return {news_of(written.error(), language), {}};
-            return {told_of(language.text("bundle", "The bundle is in {0}.",
+            return {told_of(language.text("bundle",
+                                          "The bundle is in the folder {0}, beside the settings.",
                                           {copies.filename().string()})),
                     {}};
         },

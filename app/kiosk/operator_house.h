@@ -13,7 +13,6 @@
 #include "audio-cues/words/language.h"
 #include "config/types/result.h"
 
-#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <future>
@@ -52,7 +51,7 @@ class OperatorHouse {
     void go_back(const Language& language);
     void trust_key(const Language& language);
 
-    void make(std::chrono::sys_days today, const Language& language);
+    void make(const Language& language);
     void show_key(const Language& language);
 
     /// What there is to tell: of a work that begins, was refused, or has ended since.

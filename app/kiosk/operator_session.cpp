@@ -4,6 +4,7 @@
 #include "app/documents/models/networks.h"
 #include "app/documents/packs/pack.h"
 #include "app/documents/packs/pack_library.h"
+#include "app/house/changing.h"
 #include "app/isolation/process/places.h"
 #include "app/operator/backup.h"
 #include "app/operator/pin.h"
@@ -40,9 +41,22 @@ Outcome outcome(const Result<void>& done, std::string said, const char* why_not,
     return {language.text("operator", why_not), done.error().line};
 }
 
+/// Its bytes, or a sentence for the operator. Waits for the stick.
+using StickFileReader = std::function<Result<Mapping, Outcome>()>;
+
+StickFileReader reader_of(const OperatorStick& stick, std::size_t file, const Language& language) {
+    return [read = stick.reader_of(file), language]() -> Result<Mapping, Outcome> {
+        auto bytes = read();
+        if (bytes) return std::move(*bytes);
+        const std::string why = sentence_of(bytes.error(), "");
+        return tl::unexpected(
+            Outcome{told_of_file(why, stick_trouble, language, ToldTo::staff), why});
+    };
+}
+
 /// A file of the operator's stick.
 struct Brought {
-    std::function<Result<Mapping, StickRefusal>()> read;
+    StickFileReader read;
     StickFileKind kind;
     std::string name;  // for the screen
 };
@@ -86,10 +100,7 @@ Outcome import_network(std::span<const std::byte> bytes, const std::string& name
 Outcome imported(const Brought& file, const fs::path& library, const Language& language) {
     try {
         const auto bytes = file.read();
-        if (!bytes) {
-            const std::string why = sentence_of(bytes.error(), "");
-            return {told_of_file(why, stick_trouble, language, ToldTo::staff), why};
-        }
+        if (!bytes) return bytes.error();
         return file.kind == StickFileKind::network
                    ? import_network(bytes->bytes(), file.name, language)
                    : import_pictures(bytes->bytes(), file.name, library, language);
@@ -216,9 +227,7 @@ struct OperatorSession::Office {
 
     void operator()(const GoBackToBefore&) const { session.house_.go_back(language); }
 
-    void operator()(const MakeBundle&) const {
-        session.house_.make(session.facts_.today, language);
-    }
+    void operator()(const MakeBundle&) const { session.house_.make(language); }
 
     void operator()(const ShowHouseKey&) const { session.house_.show_key(language); }
 
@@ -234,14 +243,13 @@ OperatorSession::OperatorSession(OperatorFiles files, const std::vector<Language
                                  std::vector<std::string>& problems)
     : files_(std::move(files)),
       watch_(files_.settings.site),
+      applied_(change_record_file(files_.house)),
       stick_(files_.import_program),
       house_(files_.house, files_.copies) {
     if (const auto done = finish_change(files_.house); !done) problems.push_back(done.error().line);
-    read_profiles_again(problems);
     for (const Language& language : languages)
         languages_.push_back({language.code(), language.name()});
-    read_site();
-    if (!note_.empty()) problems.push_back(take_note());
+    read_site(problems);
     KeptKeys keys = read_keys(files_.keys);
     if (!keys.note.empty()) problems.push_back(keys.note);
     keys_ = std::move(keys.keys);
@@ -261,10 +269,12 @@ OperatorSession::OperatorSession(OperatorFiles files, const std::vector<Language
                            ": make room on its disk, and let the kiosk write there");
 }
 
-void OperatorSession::read_site() {
+void OperatorSession::read_site(std::vector<std::string>& problems) {
+    profiles_ = read_profiles(files_.profiles, files_.house.profiles, problems);
     KeptSettings kept = read_settings(files_.settings);
-    note_ = std::move(kept.note);
+    if (!kept.note.empty()) problems.push_back(std::move(kept.note));
     hold(kept.settings);
+    if (!note_.empty()) problems.push_back(take_note());
 }
 
 void OperatorSession::hold(const Settings& site) {
@@ -274,15 +284,15 @@ void OperatorSession::hold(const Settings& site) {
     settings_ = held.value_or(site);
 }
 
-void OperatorSession::read_profiles_again(std::vector<std::string>& problems) {
-    profiles_ = read_profiles(files_.profiles, files_.house.profiles, problems);
-}
-
 bool OperatorSession::read_again() {
     const bool is_new = std::exchange(has_new_site_, false);
-    if (!is_new && (is_open() || !watch_.has_changed())) return false;
-    if (is_new) (void)watch_.has_changed();
-    read_site();
+    if (!is_new && is_open()) return false;
+    const bool is_set = watch_.has_changed();
+    const bool is_applied = applied_.has_changed();
+    if (!is_new && !is_set && !is_applied) return false;
+    std::vector<std::string> problems;
+    read_site(problems);
+    if (!problems.empty()) note_ = std::move(problems.back());
     return true;
 }
 
@@ -379,9 +389,10 @@ void OperatorSession::import_from_stick(std::size_t file, const Language& langua
     const auto files = stick_files(false);
     if (file >= files.size() || import_.valid()) return;
     const std::size_t at = files[file];
-    import_ = std::async(std::launch::async, imported,
-                         Brought{stick_.reader_of(at), stick_.kind_of(at), stick_.names()[at]},
-                         files_.library, language);
+    import_ =
+        std::async(std::launch::async, imported,
+                   Brought{reader_of(stick_, at, language), stick_.kind_of(at), stick_.names()[at]},
+                   files_.library, language);
 }
 
 void OperatorSession::look_at_house_file(std::size_t file, const Language& language) {
@@ -390,14 +401,8 @@ void OperatorSession::look_at_house_file(std::size_t file, const Language& langu
     const std::size_t at = files[file];
     std::vector<std::string> codes;
     for (const OfferedLanguage& each : languages_) codes.push_back(each.code);
-    const auto read = [reader = stick_.reader_of(at), language]() -> Result<Mapping, Outcome> {
-        auto bytes = reader();
-        if (bytes) return std::move(*bytes);
-        const std::string why = sentence_of(bytes.error(), "");
-        return tl::unexpected(
-            Outcome{told_of_file(why, stick_trouble, language, ToldTo::staff), why});
-    };
-    house_.look_at({stick_.names()[at], stick_.kind_of(at) == StickFileKind::house_key, read},
+    house_.look_at({stick_.names()[at], stick_.kind_of(at) == StickFileKind::house_key,
+                    reader_of(stick_, at, language)},
                    std::move(codes), language);
 }
 
@@ -421,12 +426,7 @@ std::vector<OperatorEvent> OperatorSession::poll_house() {
     auto news = house_.poll();
     if (!is_inside()) house_.forget();
     if (!news) return {};
-    if (news->has_changed) {
-        std::vector<std::string> problems;
-        read_profiles_again(problems);
-        for (const std::string& problem : problems) note_ = problem;
-        has_new_site_ = true;
-    }
+    if (news->has_changed) has_new_site_ = true;
     std::vector<OperatorEvent> events;
     if (news->place) events.emplace_back(HouseLooked{*news->place});
     const std::string said = told(std::move(news->outcome));

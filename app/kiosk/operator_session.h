@@ -85,7 +85,8 @@ class OperatorSession {
     /// True if a file can be written beside the settings.
     [[nodiscard]] bool can_write() const;
 
-    /// Reads the files again if somebody else changed them. True if they say something new.
+    /// Reads settings and profiles again if somebody else changed the settings, or applied a bundle
+    /// or took it back. True if so: settings() may say something new.
     [[nodiscard]] bool read_again();
 
     // What is counted, on this day of the site's clock.
@@ -116,7 +117,7 @@ class OperatorSession {
 
     void count_tries_on(double now_s);
     [[nodiscard]] OperatorWorld world(const Language& language, double now_s) const;
-    void read_site();
+    void read_site(std::vector<std::string>& problems);
     void hold(const Settings& site);
     [[nodiscard]] std::string back_up(const Language& language);
     [[nodiscard]] std::string restore(const Language& language);
@@ -125,7 +126,6 @@ class OperatorSession {
     [[nodiscard]] std::string told(Outcome outcome);
     void import_from_stick(std::size_t file, const Language& language);
     void keep_counts();
-    void read_profiles_again(std::vector<std::string>& problems);
     void look_at_house_file(std::size_t file, const Language& language);
 
     /// The numbers of the stick's files that are for several kiosks, or of all others.
@@ -134,6 +134,7 @@ class OperatorSession {
 
     OperatorFiles files_;
     FileWatch watch_;
+    FileWatch applied_;  // of the last bundle, which may bring profiles alone
     std::vector<OfferedLanguage> languages_;
     std::vector<Profile> profiles_;
     Operator state_;

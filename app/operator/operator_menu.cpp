@@ -59,7 +59,9 @@ constexpr auto places = std::to_array<PlaceRow>({
     {P::upkeep, P::home, "Upkeep", "", ""},
     {P::library, P::upkeep, "Copy from a USB stick", "Choose what to copy into this kiosk.", ""},
     {P::several, P::upkeep, "Several kiosks",
-     "A bundle brings settings, profiles and packs to all kiosks.", ""},
+     "A bundle brings settings, profiles and packs to all kiosks. The house key is a file that "
+     "shows whose bundle it is.",
+     ""},
     {P::bundle, P::several, "What the bundle changes", "", "", false},
     {P::way_back, P::several, "Back to before the bundle", "What was set since then is lost.", "",
      false},

@@ -112,7 +112,7 @@ fs::path pin_file() {
 }
 
 bool has_pin(const fs::path& file) {
-    return is_private_there(file);
+    return is_there(file);
 }
 
 Result<void> keep_pin(const fs::path& file, const std::string& pin) {
@@ -142,7 +142,7 @@ Result<void> keep_pin_tries(const fs::path& file, int wrong) {
 }
 
 Result<int> read_pin_tries(const fs::path& file) {
-    if (!is_private_there(file)) return 0;
+    if (!is_there(file)) return 0;
     const auto text = read_private(file, longest_text);
     if (!text) return tl::unexpected(text.error());
     const bool is_told = text->starts_with(begin_words) && text->ends_with('\n');

@@ -1,5 +1,6 @@
 #include "app/operator/private_files.h"
 
+#include "app/documents/decode/files.h"
 #include "app/documents/decode/one_line.h"
 #include "app/isolation/process/descriptor.h"
 
@@ -27,12 +28,6 @@ bool write_text(const Descriptor& open, const std::string& text) {
            ::fsync(open.number()) == 0;
 }
 
-/// Without it, a name may come back or be gone after the plug was pulled.
-bool flush_folder_of(const fs::path& file) {
-    const Descriptor folder(::open(file.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    return folder.is_open() && ::fsync(folder.number()) == 0;
-}
-
 }  // namespace
 
 Result<void> write_private(const fs::path& file, const std::string& text) {
@@ -49,7 +44,8 @@ Result<void> write_private(const fs::path& file, const std::string& text) {
     }
     fs::rename(part, file, error);
     if (error) return file_failure(file, "cannot be kept: " + error.message());
-    if (!flush_folder_of(file)) return file_failure(file, "cannot be kept; its folder is broken");
+    if (!flush_folder(file.parent_path()))
+        return file_failure(file, "cannot be kept; its folder is broken");
     return {};
 }
 
@@ -69,17 +65,11 @@ Result<std::string> read_private(const fs::path& file, std::size_t limit) {
     return text;
 }
 
-bool is_private_there(const fs::path& file) {
-    std::error_code error;
-    const bool is_there = fs::exists(fs::symlink_status(file, error));
-    return is_there || (error && error != std::errc::no_such_file_or_directory);
-}
-
 Result<void> remove_private(const fs::path& file) {
     std::error_code error;
     if (!fs::remove(file, error) && !error) return {};
     if (error) return file_failure(file, "cannot be removed: " + error.message());
-    if (!flush_folder_of(file)) return file_failure(file, "cannot be removed for good");
+    if (!flush_folder(file.parent_path())) return file_failure(file, "cannot be removed for good");
     return {};
 }
 

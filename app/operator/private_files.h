@@ -19,9 +19,6 @@ namespace touchline {
 [[nodiscard]] Result<std::string> read_private(const std::filesystem::path& file,
                                                std::size_t limit);
 
-/// True if anything is there. Counts what cannot be examined, and a link to nothing.
-[[nodiscard]] bool is_private_there(const std::filesystem::path& file);
-
 /// Removes the file for good before the call returns. Succeeds if it does not exist.
 [[nodiscard]] Result<void> remove_private(const std::filesystem::path& file);
 

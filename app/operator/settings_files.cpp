@@ -23,11 +23,6 @@ Result<Settings> settings_in(const std::string& text, const fs::path& file) {
     return apply_settings(Settings{}, text, file.string(), SettingLayer::site);
 }
 
-bool is_there(const fs::path& file) {
-    std::error_code error;
-    return fs::exists(file, error) || error;
-}
-
 /// If the disk takes nothing, only the copy is lost, not the settings.
 void remember(const SettingsFiles& files, const std::string& text) {
     const auto known = read_text(files.last_good);

@@ -129,6 +129,7 @@ void Sound::follow_hand(const HandMoment& moment) {
     hand_cues_.amount = wanted_.amount;
     hand_cues_.clock.told(moment.hand.time_s, steady_now_ns());
     if (moment.scene != nullptr) hand_cues_.area = area_of(*moment.scene);
+    hand_cues_.is_nobody_here = moment.is_nobody_here;
     loop_.set(hand_cues_);
     const bool is_wanted =
         moment.scene != nullptr && (wanted_.amount == CueAmount::full || moment.target ||

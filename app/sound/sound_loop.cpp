@@ -51,7 +51,9 @@ void SoundLoop::run(const std::stop_token& stop, SoundWorld world, const EventSo
         const bool had_event = take_events(events, cues);
         const std::int64_t now_ns = steady_now_ns();
         const int wait_us = pace.wait_us(had_event, now_ns);
-        if (pace.is_resting(now_ns) || poll % polls_between_looks == 0) look_after(output, world);
+        const bool is_hand_away = pace.is_resting(now_ns);
+        if (is_hand_away || poll % polls_between_looks == 0)
+            look_after(output, world, is_hand_away);
         std::this_thread::sleep_for(std::chrono::microseconds(wait_us));
     }
 }
@@ -71,7 +73,13 @@ bool SoundLoop::take_events(const EventSource& events, HandCues& cues) {
     return is_any;
 }
 
-void SoundLoop::look_after(SoundOutput& output, const SoundWorld& world) {
+bool SoundLoop::is_nobody_here() const {
+    const std::lock_guard lock(mutex_);
+    return setting_.is_nobody_here;
+}
+
+void SoundLoop::look_after(SoundOutput& output, const SoundWorld& world, bool is_hand_away) {
+    output.rest(is_hand_away && is_nobody_here());
     output.step();
     const double now_s = 1e-9 * static_cast<double>(steady_now_ns());
     const auto input = ask(world.input_switch.get(), now_s);

@@ -55,6 +55,7 @@ struct CueSetting {
     CueAmount amount = CueAmount::cues;
     CueArea area;
     ServoClock clock;
+    bool is_nobody_here = false;
 };
 
 /// Plays what the hand meets as sounds at the right time.
@@ -122,7 +123,8 @@ class SoundLoop {
     void run(const std::stop_token& stop, SoundWorld world, const EventSource& events);
     /// Returns whether there was any.
     bool take_events(const EventSource& events, HandCues& cues);
-    void look_after(SoundOutput& output, const SoundWorld& world);
+    void look_after(SoundOutput& output, const SoundWorld& world, bool is_hand_away);
+    [[nodiscard]] bool is_nobody_here() const;
 
     Mixer& mixer_;
     mutable std::mutex mutex_;  // for the two below; held while one is copied

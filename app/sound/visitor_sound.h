@@ -23,6 +23,7 @@ struct HandMoment {
     HandState hand;
     const Scene* scene = nullptr;    // the scene that is felt; null: none yet
     std::optional<Position> target;  // cues tell the way to it
+    bool is_nobody_here = false;     // the device may ask less often
 };
 
 /// The current output, and its steps of volume.

@@ -24,7 +24,7 @@ void SdlDevice::fill(void* device, std::uint8_t* bytes, int count) {
         {frames, static_cast<std::size_t>(count) / sizeof(StereoFrame)});
 }
 
-Result<void> SdlDevice::open(FrameSource source) {
+Result<void> SdlDevice::open(FrameSource source, int block) {
     SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
     snd_lib_error_set_handler(&say_nothing);
     SDL_LogSetOutputFunction(&log_nothing, nullptr);
@@ -37,7 +37,7 @@ Result<void> SdlDevice::open(FrameSource source) {
     wanted.freq = frame_rate_Hz;
     wanted.format = AUDIO_F32SYS;
     wanted.channels = 2;
-    wanted.samples = static_cast<Uint16>(block_frames);
+    wanted.samples = static_cast<Uint16>(block);
     wanted.callback = &SdlDevice::fill;
     wanted.userdata = this;
     SDL_AudioSpec got{};

@@ -17,6 +17,11 @@ std::int64_t ns_of(FrameTime frame) {
 }
 
 constexpr double ns_per_s = 1e9;
+constexpr FrameTime quiet_frames = frame_rate_Hz;  // before the device may begin anew
+
+bool is_heard(const StereoFrame& frame) {
+    return frame != StereoFrame{};
+}
 
 }  // namespace
 
@@ -50,10 +55,16 @@ void SoundOutput::open(std::int64_t now_ns) {
     was_tried_ = true;
     seen_frame_ = mixer_.now();
     moved_ns_ = now_ns;
-    const auto opened = device_->open([this](std::span<StereoFrame> frames) {
-        frame_clock_.told(mixer_.now(), clock_ns_());
-        mixer_.render(frames);
-    });
+    frame_clock_.forget();
+    opened_block_ = block_;
+    const auto opened = device_->open(
+        [this](std::span<StereoFrame> frames) {
+            frame_clock_.told(mixer_.now(), clock_ns_());
+            mixer_.render(frames);
+            if (std::ranges::any_of(frames, is_heard))
+                quiet_since_.store(mixer_.now(), std::memory_order_relaxed);
+        },
+        block_);
     is_open_ = opened.has_value();
     problem_ = opened ? std::string() : opened.error().line;
 }
@@ -65,6 +76,18 @@ void SoundOutput::lose(std::int64_t now_ns, std::string problem) {
     tried_ns_ = now_ns;
     nowhere_frame_ = mixer_.now();
     nowhere_ns_ = now_ns;
+}
+
+void SoundOutput::rest(bool is_nobody_here) {
+    const int block = is_nobody_here ? resting_block_frames : block_frames;
+    if (std::exchange(block_, block) == block) return;
+    quiet_since_.store(mixer_.now(), std::memory_order_relaxed);
+}
+
+void SoundOutput::change_block(std::int64_t now_ns) {
+    device_->close();
+    open(now_ns);
+    if (!is_open_) lose(now_ns, problem_);
 }
 
 /// Renders at most a second at once, in case the caller has been away.
@@ -96,6 +119,8 @@ void SoundOutput::step() {
         lose(now_ns, "The sound device was unplugged.");
     } else if (since_s(moved_ns_) > stall_s) {
         lose(now_ns, "The sound device stands still.");
+    } else if (block_ != opened_block_ && mixer_.now() - quiet_since_ >= quiet_frames) {
+        change_block(now_ns);
     }
 }
 

@@ -112,6 +112,7 @@ struct ServoCommands {
     std::uint32_t faults_cleared = 0;  // a changed number: the operator clears the fault
     double force_ceiling_N = 3.0;      // the operator's; rises by 1 N/s
     bool has_frame = true;             // the edge of the drawing area is felt
+    bool may_rest = false;             // nobody is here: without force the loop may tick slowly
     GuidanceCommand guidance;
     PatternCommand pattern;
     HeldShape shape = HeldShape::none;  // shape felt with; lines are walls then
@@ -134,6 +135,7 @@ void command_fields(Fields& f, Commands& c) {
     f.number(c.faults_cleared);
     f.number(c.force_ceiling_N, 0.0, most_force_N);
     f.flag(c.has_frame);
+    f.flag(c.may_rest);
     f.choice(c.guidance.kind, GuidanceKind::to_line);
     f.flag(c.guidance.is_held);
     f.number(c.guidance.serial);

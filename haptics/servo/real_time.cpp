@@ -77,8 +77,8 @@ void MonotonicClock::sleep_until(std::int64_t t_ns) {
     }
 }
 
-void TickSchedule::finish(std::int64_t now_ns) {
-    due_ns_ += period_ns_;
+void TickSchedule::finish(std::int64_t now_ns, std::int64_t periods) {
+    due_ns_ += periods * period_ns_;
     const std::int64_t late_ns = now_ns - due_ns_;
     if (late_ns < period_ns_) return;
     const std::int64_t skipped = late_ns / period_ns_;

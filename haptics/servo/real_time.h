@@ -43,8 +43,8 @@ class TickSchedule {
     /// When the tick is due, counted from the first tick.
     [[nodiscard]] double due_s() const { return static_cast<double>(due_ns_ - start_ns_) * 1e-9; }
 
-    /// Ends the tick that was due; it is now_ns.
-    void finish(std::int64_t now_ns);
+    /// Ends the tick that was due; it is now_ns. The next one is due `periods` >= 1 later.
+    void finish(std::int64_t now_ns, std::int64_t periods = 1);
 
     [[nodiscard]] std::uint64_t missed() const { return missed_; }
 

@@ -79,7 +79,7 @@ void ServoLoop::judge_timing(double now_s, const Moment& moment, std::uint64_t m
     const std::int64_t late_ns = moment.begun_ns - moment.due_ns;
     exchange_.channel().lateness.add(late_ns);
     minute_.add(now_s, 1e-9 * static_cast<double>(late_ns),
-                1e-9 * static_cast<double>(moment.begun_ns - last_begun_ns_),
+                1e-9 * static_cast<double>(moment.begun_ns - last_begun_ns_ - rest_ns_),
                 missed_ticks - last_missed_);
     last_missed_ = missed_ticks;
     tier_ = judge(rules_.granted, minute_.last_minute(), period_s_);
@@ -114,7 +114,9 @@ void ServoLoop::run(Clock& clock, std::int64_t period_ns, const LoopEnd& end) {
         tick(schedule.due_s(), schedule.missed());
         const std::int64_t now_ns = clock.now_ns();
         delay_s_ = 1e-9 * static_cast<double>(now_ns - schedule.due_ns());
-        schedule.finish(now_ns);
+        const std::int64_t periods = step_.is_resting() ? resting_periods(period_s_) : 1;
+        rest_ns_ = (periods - 1) * period_ns;
+        schedule.finish(now_ns, periods);
     }
     write_last_zero(clock, schedule);
 }

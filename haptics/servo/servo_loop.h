@@ -43,7 +43,8 @@ class ServoLoop {
     void tick(double now_s, std::uint64_t missed_ticks);
 
     /// Ticks until an end is wanted, here or in the channel, and force has faded out, or until it
-    /// is cut. Then writes zero until the device holds it, for at most 20 periods.
+    /// is cut. Then writes zero until the device holds it, for at most 20 periods. While
+    /// ServoStep::is_resting(), ticks are due every resting_period_s.
     void run(Clock& clock, std::int64_t period_ns, const LoopEnd& end);
 
   private:
@@ -73,6 +74,7 @@ class ServoLoop {
     double force_share_ = 1.0;
     RealTimeTier tier_;
     std::int64_t last_begun_ns_ = 0;
+    std::int64_t rest_ns_ = 0;  // more than a period, by plan, from the last tick to the next
     std::uint64_t last_missed_ = 0;
     double delay_s_ = 0.0;  // in the last tick, from its due time to its command's write
 };

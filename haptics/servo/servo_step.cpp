@@ -126,11 +126,27 @@ LoopState ServoStep::loop_state(const ServoCommands& commands) const {
             motor_force_.spring_gain(), loop_.stiffness_bound(),  loop_.damping_Ns_per_m()};
 }
 
-DeviceCommand ServoStep::step(const StepInput& input) {
+/// The time from the last tick to this one, by plan: what ramps and slew advance by.
+double ServoStep::planned_s(double now_s) const {
     const double period_s = loop_.period_s();
+    if (!is_resting()) return period_s;
+    return std::max(period_s, std::min(now_s - last_s_, resting_period_s));
+}
+
+void ServoStep::rest(const StepInput& input, const HandleReading& handle,
+                     const DeviceCommand& command) {
+    const ServoCommands& commands = input.commands;
+    const bool is_idle = commands.may_rest && !commands.is_force_wanted && is_silent() &&
+                         command == DeviceCommand{} && !is_stopping_;
+    rest_.step(is_idle && handle.is_placed, handle.p_WH, handle.dt_s);
+}
+
+DeviceCommand ServoStep::step(const StepInput& input) {
+    const double period_s = planned_s(input.now_s);
     const double dt_s = std::max(period_s, input.now_s - last_s_);
     last_s_ = input.now_s;
-    loop_.step(profile_, dt_s, input.delay_s);
+    // A rest says nothing of how well the loop keeps its period.
+    loop_.step(profile_, is_resting() ? loop_.period_s() : dt_s, input.delay_s);
     const auto shape_rad =
         holds_shape() ? std::optional(hand_force_.rendering().rendered().angle_rad) : std::nullopt;
     const HandleReading handle = handle_.step(profile_, input, shape_rad, period_s, dt_s);
@@ -139,7 +155,9 @@ DeviceCommand ServoStep::step(const StepInput& input) {
     const bool is_fading = hand_force_.is_swapping() || is_stopping_;
     const SafeForce safe = motor_force_.step(profile_, input, handle, wanted, is_fading, period_s);
     fill(input, handle, wanted, safe);
-    return command_of(safe, profile_);
+    const DeviceCommand command = command_of(safe, profile_);
+    rest(input, handle, command);
+    return command;
 }
 
 /// Guidance and patterns move the handle on purpose.

@@ -10,6 +10,7 @@
 #include "haptics/servo/exchange.h"
 #include "haptics/servo/hand_force.h"
 #include "haptics/servo/handle_motion.h"
+#include "haptics/servo/handle_rest.h"
 #include "haptics/servo/loop_settings.h"
 #include "haptics/servo/real_time.h"
 
@@ -96,6 +97,11 @@ class ServoStep {
 
     [[nodiscard]] bool is_silent() const { return motor_force_.is_silent(); }
 
+    /// True if the next tick may come as late as resting_period_s: the commands allow it, no force
+    /// is wanted, and the handle has stood still for HandleRest::least_s. The first tick that sees
+    /// it move, or is told of force, ends it.
+    [[nodiscard]] bool is_resting() const { return rest_.is_resting(); }
+
     /// Tells the step that the device took no command.
     void lose_device() { motor_force_.lose_device(); }
 
@@ -117,6 +123,8 @@ class ServoStep {
   private:
     [[nodiscard]] bool rebind(const Scene* scene, const DeviceProfile& profile);
     [[nodiscard]] LoopState loop_state(const ServoCommands& commands) const;
+    [[nodiscard]] double planned_s(double now_s) const;
+    void rest(const StepInput& input, const HandleReading& handle, const DeviceCommand& command);
     void watch_hand(const HandleReading& handle, Force active);
     void fill(const StepInput& input, const HandleReading& handle, const WantedForce& wanted,
               const SafeForce& safe);
@@ -127,6 +135,7 @@ class ServoStep {
     HandForce hand_force_;
     MotorForce motor_force_;
     HandWork hand_work_;
+    HandleRest rest_;
     double last_s_ = 0.0;
     bool is_stopping_ = false;
     ServoReport report_;

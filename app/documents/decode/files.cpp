@@ -92,9 +92,15 @@ Result<std::string> read_text(const std::string& path) {
         [](const std::vector<std::byte>& bytes) { return std::string(as_text(bytes)); });
 }
 
-void flush_folder(const std::filesystem::path& folder) {
+bool flush_folder(const std::filesystem::path& folder) {
     const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    if (opened.is_open()) ::fsync(opened.number());
+    return opened.is_open() && ::fsync(opened.number()) == 0;
+}
+
+bool is_there(const std::filesystem::path& path) {
+    std::error_code error;
+    return std::filesystem::symlink_status(path, error).type() !=
+           std::filesystem::file_type::not_found;
 }
 
 Result<void> write_whole_file(const std::string& path, std::span<const std::byte> bytes) {

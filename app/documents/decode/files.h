@@ -30,8 +30,12 @@ constexpr std::size_t max_file_bytes = std::size_t{256} << 20U;
                                             std::span<const std::byte> bytes);
 [[nodiscard]] Result<void> write_whole_file(const std::string& path, const std::string& text);
 
-/// The names in a folder survive a power cut only if the folder is flushed too. This is best
-/// effort: some file systems refuse it, and the files are whole either way.
-void flush_folder(const std::filesystem::path& folder);
+/// The names in a folder survive a power cut only if the folder is flushed too. True if it was:
+/// some file systems refuse it, and the files are whole either way.
+bool flush_folder(const std::filesystem::path& folder);
+
+/// True if anything is there, also a link to nothing. Counts what cannot be examined: whoever took
+/// it for missing would go on without it, or put something in its place.
+[[nodiscard]] bool is_there(const std::filesystem::path& path);
 
 }  // namespace touchline

@@ -56,18 +56,6 @@ bool put_in_place(const fs::path& made, const fs::path& place) {
     return errno == ENOENT && ::rename(made.c_str(), place.c_str()) == 0;
 }
 
-PackResult<PackInfo> info_of(const fs::path& folder) {
-    const auto bytes = read_file((folder / pack_table_name).string());
-    if (!bytes) return refusal({FindingKind::no_pack_toml, folder.filename().string()});
-    auto info = pack_info_of(as_text(*bytes));
-    if (!info) {
-        PackFinding finding = info.error();
-        finding.file = folder.filename().string() + '/' + finding.file;
-        return refusal(std::move(finding));
-    }
-    return info;
-}
-
 PackResult<std::string> install(const Pack& pack, const fs::path& library) {
     std::error_code error;
     fs::create_directories(library, error);
@@ -80,18 +68,6 @@ PackResult<std::string> install(const Pack& pack, const fs::path& library) {
     if (!is_done) return unwritable(library);
     flush_folder(library);
     return place.string();
-}
-
-std::vector<fs::path> packs_in(const fs::path& library) {
-    std::vector<fs::path> folders;
-    std::error_code error;
-    for (fs::directory_iterator it(library, error), end; !error && it != end; it.increment(error)) {
-        const bool is_pack = it->symlink_status(error).type() == fs::file_type::directory &&
-                             !it->path().filename().string().starts_with('.');
-        if (is_pack) folders.push_back(it->path());
-    }
-    std::ranges::sort(folders);
-    return folders;
 }
 
 PackResult<PackFile> file_at(const fs::path& path) {
@@ -153,7 +129,7 @@ struct RecordingReader {
 
 void list_pack(const fs::path& folder, const LanguageTag& language, double& rest_s,
                std::vector<LibraryPicture>& pictures, std::vector<PackFinding>& problems) {
-    const auto info = info_of(folder);
+    const auto info = installed_info(folder);
     if (!info) {
         problems.push_back(info.error());
         return;
@@ -203,11 +179,35 @@ fs::path folder_of(const LibraryPicture& picture) {
 
 }  // namespace
 
+std::vector<fs::path> installed_packs(const fs::path& library) {
+    std::vector<fs::path> folders;
+    std::error_code error;
+    for (fs::directory_iterator it(library, error), end; !error && it != end; it.increment(error)) {
+        const bool is_pack = it->symlink_status(error).type() == fs::file_type::directory &&
+                             !it->path().filename().string().starts_with('.');
+        if (is_pack) folders.push_back(it->path());
+    }
+    std::ranges::sort(folders);
+    return folders;
+}
+
+PackResult<PackInfo> installed_info(const fs::path& folder) {
+    const auto bytes = read_file((folder / pack_table_name).string());
+    if (!bytes) return refusal({FindingKind::no_pack_toml, folder.filename().string()});
+    auto info = pack_info_of(as_text(*bytes));
+    if (!info) {
+        PackFinding finding = info.error();
+        finding.file = folder.filename().string() + '/' + finding.file;
+        return refusal(std::move(finding));
+    }
+    return info;
+}
+
 PackResult<std::string> import_pack(const Pack& pack, const std::string& library, OlderPack older) {
     try {
         if (const auto findings = check_pack(pack); !can_be_used(findings))
             return refusal(findings.front());
-        const auto installed = info_of(fs::path(library) / pack.info.id);
+        const auto installed = installed_info(fs::path(library) / pack.info.id);
         if (installed && pack.info.version < installed->version && older == OlderPack::ask)
             return refusal({FindingKind::older, pack.info.id, 0, text_of(installed->version)});
         return install(pack, library);
@@ -221,7 +221,7 @@ std::vector<LibraryPicture> list_library(const std::string& library, const Langu
     std::vector<LibraryPicture> pictures;
     try {
         double rest_s = list_recorded_s;
-        for (const fs::path& folder : packs_in(library))
+        for (const fs::path& folder : installed_packs(library))
             list_pack(folder, language, rest_s, pictures, problems);
     } catch (const std::exception&) {
         problems.push_back({FindingKind::unreadable, library});
@@ -237,7 +237,7 @@ PictureRecordingsPtr recordings_of(const LibraryPicture& picture, const TactileM
                                    const LanguageTag& language,
                                    std::vector<PackFinding>& problems) {
     const fs::path folder = folder_of(picture);
-    const auto info = info_of(folder);
+    const auto info = installed_info(folder);
     if (!info) {
         problems.push_back(info.error());
         return nullptr;

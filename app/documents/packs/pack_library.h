@@ -10,6 +10,7 @@
 #include "config/types/tactile_map.h"
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -24,6 +25,13 @@ enum class OlderPack : std::uint8_t { ask, take };
 /// missing. Returns the pack's folder.
 [[nodiscard]] PackResult<std::string> import_pack(const Pack& pack, const std::string& library,
                                                   OlderPack older = OlderPack::ask);
+
+/// The folders of all installed packs, by their ids. A missing library is empty.
+[[nodiscard]] std::vector<std::filesystem::path> installed_packs(
+    const std::filesystem::path& library);
+
+/// What the table of the pack in this folder says.
+[[nodiscard]] PackResult<PackInfo> installed_info(const std::filesystem::path& folder);
 
 /// One picture of an installed pack. `entry` is as in the gallery, but read it with
 /// read_pack_map().

@@ -5,6 +5,7 @@
 #include "haptics/device/inverse3/inverse3_device.h"
 #include "haptics/servo/real_time.h"
 
+#include <cstdint>
 #include <memory>
 #include <ostream>
 #include <utility>
@@ -19,19 +20,19 @@ using Conversation = std::unique_ptr<Inverse3Service>;
 constexpr int asked = 1000;  // by probe
 constexpr std::int64_t period_ns = 1'000'000;
 
-Result<void> absence() {
+Result<void> absence(std::uint16_t port) {
     return failure(
         fmt::format("no Inverse3: its service does not answer at port {} of this computer; start "
                     "it (systemctl start haply-inverse-service)",
-                    inverse3_port));
+                    port));
 }
 
-MotorDevice motor_device(const std::string& port, const std::string& name,
-                         const DeviceProfile& profile) {
+MotorDevice motor_device(const std::string& word, const ArmAddress& address,
+                         const std::string& name, const DeviceProfile& profile) {
     MotorDevice made;
-    made.servo.arguments = {"inverse3", port};
-    made.servo.zero_torque = [port](const std::string& /*bus_path*/) {
-        return zero_inverse3(port).map([] { return ZeroedBoard::unknown; });
+    made.servo.arguments = {"inverse3", word};
+    made.servo.zero_torque = [address](const std::string& /*bus_path*/) {
+        return zero_inverse3(address).map([] { return ZeroedBoard::unknown; });
     };
     made.profile = profile;
     made.name = "inverse3 " + name;
@@ -74,8 +75,8 @@ Result<void> list(const Conversation& conversation, std::ostream& out) {
     return {};
 }
 
-Result<void> stop(const std::string& name, std::ostream& out) {
-    if (auto zeroed = zero_inverse3(name); !zeroed) return zeroed;
+Result<void> stop(const ArmAddress& address, std::ostream& out) {
+    if (auto zeroed = zero_inverse3(address); !zeroed) return zeroed;
     out << "The Inverse3's service answered: it applies no force.\n";
     return {};
 }
@@ -85,20 +86,23 @@ Result<void> stop(const std::string& name, std::ostream& out) {
 Result<std::optional<MotorDevice>> find_inverse3(const std::string& port) {
     const auto profile = find_device_profile("inverse3");
     if (!profile) return tl::unexpected(profile.error());
-    const auto conversation = Inverse3Service::connect(port);
+    const auto address = arm_address_of(port);
+    if (!address) return tl::unexpected(address.error());
+    const auto conversation = Inverse3Service::connect(address->name, address->port);
     if (!conversation) return tl::unexpected(conversation.error());
-    return motor_device(port, (*conversation)->name(), *profile);
+    return motor_device(port, *address, (*conversation)->name(), *profile);
 }
 
 CommandEnd command_inverse3(const DeviceCommandOptions& options, std::ostream& out) {
-    const std::string& name = options.port.empty() ? options.serial : options.port;
     const bool needs_nothing =
         options.action == DeviceAction::home || options.action == DeviceAction::nudge;
     if (needs_nothing)
         return {true, failure("an Inverse3 knows where its handle is: there is nothing to do")};
-    if (!Inverse3Service::answers()) return {false, absence()};
-    if (options.action == DeviceAction::stop) return {true, stop(name, out)};
-    auto conversation = Inverse3Service::connect(name);
+    const auto address = arm_address_of(options.port.empty() ? options.serial : options.port);
+    if (!address) return {!options.make.empty(), tl::unexpected(address.error())};
+    if (!Inverse3Service::answers(address->port)) return {false, absence(address->port)};
+    if (options.action == DeviceAction::stop) return {true, stop(*address, out)};
+    auto conversation = Inverse3Service::connect(address->name, address->port);
     if (!conversation) return {true, tl::unexpected(conversation.error())};
     if (options.action == DeviceAction::list) return {true, list(*conversation, out)};
     return {true, probe(std::move(*conversation), out)};

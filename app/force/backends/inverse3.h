@@ -10,10 +10,10 @@
 
 namespace touchline {
 
-/// As KioskBackend::find. `port`: the device's name, as it is printed on it.
+/// As KioskBackend::find. `port`: as arm_address_of() reads it.
 [[nodiscard]] Result<std::optional<MotorDevice>> find_inverse3(const std::string& port);
 
-/// As KioskBackend::command; `port` or `serial` is the device's name.
+/// As KioskBackend::command. Without a `port`, `serial` is the device's name.
 [[nodiscard]] CommandEnd command_inverse3(const DeviceCommandOptions& options, std::ostream& out);
 
 }  // namespace touchline

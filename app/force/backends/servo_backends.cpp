@@ -31,14 +31,14 @@ Result<OpenedDevice> open_motors_of(std::span<const std::string> words, const Op
     });
 }
 
-/// Its name, or nothing for the only one.
 bool is_arm(std::span<const std::string> words) {
-    return words.size() == 1 && (words[0].empty() || ArmName::of(words[0]));
+    return words.size() == 1 && arm_address_of(words[0]).has_value();
 }
 
 Result<OpenedDevice> open_arm(std::span<const std::string> words, const Opening& opening) {
-    if (!is_arm(words)) return failure("the name of the Inverse3 is none: see device.port");
-    return open_inverse3(words[0], opening);
+    if (words.size() != 1) return failure("not what the kiosk starts it with");
+    return arm_address_of(words[0]).and_then(
+        [&opening](const ArmAddress& address) { return open_inverse3(address, opening); });
 }
 
 constexpr std::array rows{

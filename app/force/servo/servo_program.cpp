@@ -157,6 +157,7 @@ class ServoProgram {
     /// device back.
     std::string run_loop(OpenedDevice& opened, BlackBox& box) {
         const ZeroOnSignal cut(servo_, region_.channel(), opened.zero);
+        answered_ns_ = steady_now_ns();
         std::string lost;
         while (lost.empty() && !cut.is_end_asked() && region_.channel().is_stop_wanted == 0 &&
                serve()) {
@@ -166,7 +167,8 @@ class ServoProgram {
             if (is_device_gone()) lost = "the device does not answer any more: check its plug";
         }
         opened.device = servo_.stop();
-        return lost;
+        const std::string why = !lost.empty() && opened.trouble ? opened.trouble() : std::string();
+        return why.empty() ? lost : why;
     }
 
     int fail(const std::string& line) {
@@ -252,8 +254,8 @@ class ServoProgram {
     SharedRegion region_;
     std::vector<std::string> words_;
     Servo servo_;
-    BlackBox* box_ = nullptr;  // set while it runs
-    std::int64_t answered_ns_ = steady_now_ns();
+    BlackBox* box_ = nullptr;       // set while it runs
+    std::int64_t answered_ns_ = 0;  // the device last, or when the loop began
 };
 
 }  // namespace

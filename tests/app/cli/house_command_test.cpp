@@ -105,10 +105,18 @@ TEST_F(HouseCommand, ChecksAppliesAndUndoes) {
     EXPECT_EQ(applied.status, 0) << applied.err;
     EXPECT_NE(settings_of("other").find("stiffness_N_per_m = 400"), std::string::npos);
     EXPECT_NE(settings_of("other").find("size_inches = 24"), std::string::npos);
-    const Told undone = type({"bundle", "undo"});
+    const std::string after = settings_of("other");
+    const Told asked = type({"bundle", "undo"});
+    EXPECT_EQ(asked.status, 0) << asked.err;
+    EXPECT_NE(asked.out.find("Firmness: from 400"), std::string::npos) << asked.out;
+    EXPECT_NE(asked.out.find("nothing was changed"), std::string::npos) << asked.out;
+    EXPECT_EQ(settings_of("other"), after);
+    const Told undone = type({"bundle", "undo", "--yes"});
     EXPECT_EQ(undone.status, 0) << undone.err;
+    EXPECT_NE(undone.out.find("Firmness: from 400"), std::string::npos) << undone.out;
     EXPECT_EQ(settings_of("other"), before);
-    EXPECT_EQ(type({"bundle", "undo"}).status, 1);
+    for (const char* word : {"undo", "check"})
+        EXPECT_NE(type({"bundle", word, "--yes"}).status, 0) << word;
 }
 
 TEST_F(HouseCommand, RefusesInOneLine) {

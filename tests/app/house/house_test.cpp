@@ -164,7 +164,7 @@ TEST_F(House, GoesBackToBeforeTheBundle) {
         way_back_lines(*way, Language()),
         (std::vector<std::string>{"Firmness: from 400 newtons per metre to 500 newtons per metre",
                                   "Walls give way: from off to on", "Profile school: removed",
-                                  "Pack shapes-and-a-boat: removed"}));
+                                  "Pack Shapes and a boat: removed"}));
     ASSERT_TRUE(go_back(*way, other_.places()).has_value());
     EXPECT_EQ(other_.picture(), before);
     const auto none = find_way_back(other_.places());
@@ -228,6 +228,30 @@ TEST_F(House, AppliesNothingIfTheKioskWasChangedMeanwhile) {
     other_.set("[feel]\nfriction = 0.4\n");
     EXPECT_FALSE(apply_plan(*again, other_.places()).has_value());
     EXPECT_EQ(other_.settings().friction, 0.4);
+}
+
+/// Whoever imports a newer pack between the look and the "yes" keeps it.
+TEST_F(House, JudgesPacksAndProfilesAnewBeforeItAppliesThem) {
+    const auto refuses = [this](const BundlePlan& plan) {
+        const FolderPicture before = other_.picture();
+        const auto late = apply_plan(plan, other_.places());
+        return !late && late.error().fault == BundleFault::changed_since &&
+               other_.picture() == before;
+    };
+    const auto new_pack = plan(made());
+    ASSERT_TRUE(new_pack.has_value());
+    other_.add_pack({2, 0, 0});
+    EXPECT_TRUE(refuses(*new_pack)) << "a newer pack was imported";
+    maker_.add_pack({2, 0, 0});
+    const auto pack_alike = plan(made());
+    ASSERT_TRUE(pack_alike && pack_alike->packs.empty());
+    fs::remove_all(other_.places().library);
+    EXPECT_TRUE(refuses(*pack_alike)) << "the pack was taken out";
+    const auto new_profile = plan(made());
+    ASSERT_TRUE(new_profile.has_value());
+    other_.add_profile("school", "[feel]\nfriction = 0.4\n");
+    EXPECT_TRUE(refuses(*new_profile)) << "somebody wrote a profile of that name";
+    apply(made());
 }
 
 TEST_F(House, FinishesWhatWasBegunBeforeItMakesABundle) {

@@ -259,6 +259,47 @@ TEST_F(NetworkOnTheStick, IsTakenByItsChecksumAlone) {
     EXPECT_FALSE(is_installed(networks().front()));
 }
 
+/// A shell applies bundles beside the running kiosk.
+class ShellBesideTheKiosk : public PinAndPlug {
+  protected:
+    ShellBesideTheKiosk() {
+        const auto key = make_house_key(other_.house);
+        EXPECT_TRUE(key && trust_house_key(files_.house, *key));
+    }
+
+    /// The other kiosk's settings and its profile "school", as a bundle that is applied here.
+    void apply(const std::string& profile, const Settings& settings) {
+        EXPECT_TRUE(keep_text(other_.house.profiles / "school.toml", profile));
+        EXPECT_TRUE(keep_settings(other_.settings, settings));
+        const auto bundle =
+            make_bundle(other_.house, std::chrono::sys_seconds(std::chrono::hours(++made_)));
+        ASSERT_TRUE(bundle.has_value()) << bundle.error().line;
+        const auto plan = plan_of_bundle(*bundle, "all", files_.house, {});
+        ASSERT_TRUE(plan.has_value()) << plan.error().line;
+        ASSERT_TRUE(apply_plan(*plan, files_.house).has_value());
+    }
+
+    OperatorFiles other_ = site_files_in(world_.folder() / "other");
+    int made_ = 0;
+};
+
+TEST_F(ShellBesideTheKiosk, BringsAProfileThatHoldsAtOnce) {
+    Settings with_profile;
+    with_profile.profile = "school";
+    apply("[feel]\nforce_ceiling_N = 1.0\n", with_profile);
+    ASSERT_TRUE(operator_->read_again());
+    EXPECT_EQ(operator_->take_note(), "");
+    EXPECT_EQ(operator_->settings().force_ceiling_N, 1.0);
+    EXPECT_FALSE(operator_->read_again()) << "nothing is new";
+    apply("[feel]\nforce_ceiling_N = 0.5\n", with_profile);
+    ASSERT_TRUE(operator_->read_again()) << "the profile alone is another";
+    EXPECT_EQ(operator_->settings().force_ceiling_N, 0.5);
+    const auto way = find_way_back(files_.house);
+    ASSERT_TRUE(way && go_back(*way, files_.house));
+    ASSERT_TRUE(operator_->read_again()) << "what is taken back holds at once too";
+    EXPECT_EQ(operator_->settings().force_ceiling_N, 1.0);
+}
+
 /// The other kiosk of the house made a bundle and its key; both are on the stick.
 class BundleOnTheStick : public PinAndPlug {
   protected:
@@ -331,7 +372,7 @@ TEST(OperatorHouse, RefusesAloudWhatComesMeanwhileAndTellsOfMemory) {
     };
     house.look_at({"all", false, read}, {}, Language());
     EXPECT_FALSE(house.poll().has_value());
-    house.make({}, Language());
+    house.make(Language());
     const auto refused = house.poll();
     ASSERT_TRUE(refused.has_value());
     EXPECT_EQ(refused->outcome.said, "Something else is still being done. Wait.");
@@ -378,7 +419,7 @@ TEST_F(BundleOnTheStick, IsMadeBesideTheSettings) {
               std::string::npos);
     press(KeyRole::back);
     EXPECT_EQ(answer_to("Make a bundle of this kiosk"), takes_a_moment_);
-    EXPECT_EQ(answer(), "The bundle is in copies.");
+    EXPECT_EQ(answer(), "The bundle is in the folder copies, beside the settings.");
     EXPECT_TRUE(fs::exists(files_.copies / "house.touchline-bundle"));
     EXPECT_TRUE(fs::exists(files_.copies / "house.touchline-key"));
 }

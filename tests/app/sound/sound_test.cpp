@@ -29,7 +29,7 @@ class FastDevice final : public SoundDevice {
 
     ~FastDevice() override { close(); }
 
-    Result<void> open(FrameSource source) override {
+    Result<void> open(FrameSource source, int /*block*/) override {
         if (heard_->is_missing) return failure("There is no sound device.");
         thread_ = std::jthread([this, source = std::move(source)](const std::stop_token& stop) {
             while (!stop.stop_requested()) {

@@ -27,10 +27,12 @@ TEST(SdlDevice, TheDummyDriverAsksForBlocksUntilItIsClosed) {
     SdlDevice device;
     std::atomic<std::size_t> asked{0};
     std::atomic<std::size_t> largest{0};
-    const auto opened = device.open([&](std::span<StereoFrame> frames) {
-        asked += frames.size();
-        largest = std::max<std::size_t>(largest.load(), frames.size());
-    });
+    const auto opened = device.open(
+        [&](std::span<StereoFrame> frames) {
+            asked += frames.size();
+            largest = std::max<std::size_t>(largest.load(), frames.size());
+        },
+        block_frames);
     ASSERT_TRUE(opened) << opened.error().line;
     wait_for(asked, 1000);
     EXPECT_FALSE(device.is_gone());
@@ -40,8 +42,16 @@ TEST(SdlDevice, TheDummyDriverAsksForBlocksUntilItIsClosed) {
     EXPECT_EQ(asked, at_close);
     EXPECT_EQ(largest, static_cast<std::size_t>(block_frames));
     device.close();
-    ASSERT_TRUE(device.open([&](std::span<StereoFrame> frames) { asked += frames.size(); }));
+    const auto long_blocks = device.open(
+        [&](std::span<StereoFrame> frames) {
+            asked += frames.size();
+            largest = std::max<std::size_t>(largest.load(), frames.size());
+        },
+        resting_block_frames);
+    ASSERT_TRUE(long_blocks);
     wait_for(asked, at_close + 1000);
+    device.close();
+    EXPECT_EQ(largest, static_cast<std::size_t>(resting_block_frames));
 }
 
 TEST(SdlDevice, TheDiskDriverHoldsTheMixersSamplesBitForBit) {
@@ -57,10 +67,12 @@ TEST(SdlDevice, TheDiskDriverHoldsTheMixersSamplesBitForBit) {
     std::atomic<std::size_t> asked{0};
     {
         SdlDevice device;
-        const auto opened = device.open([&](std::span<StereoFrame> frames) {
-            mixer.render(frames);
-            asked += frames.size();
-        });
+        const auto opened = device.open(
+            [&](std::span<StereoFrame> frames) {
+                mixer.render(frames);
+                asked += frames.size();
+            },
+            block_frames);
         ASSERT_TRUE(opened) << opened.error().line;
         wait_for(asked, 20000);
     }
@@ -83,7 +95,7 @@ TEST(SdlDevice, TheDiskDriverHoldsTheMixersSamplesBitForBit) {
 TEST(SdlDevice, WithoutAnyDriverItIsOneClearLine) {
     setenv("SDL_AUDIODRIVER", "none-of-them", 1);
     SdlDevice device;
-    const auto opened = device.open([](std::span<StereoFrame>) {});
+    const auto opened = device.open([](std::span<StereoFrame>) {}, block_frames);
     ASSERT_FALSE(opened);
     EXPECT_EQ(opened.error().line.find('\n'), std::string::npos);
     EXPECT_FALSE(device.is_gone());

@@ -14,6 +14,7 @@ struct Card {
     bool is_there = true;
     bool is_gone = false;
     int opened = 0;
+    int block = 0;
     FrameSource source;  // set while open
 };
 
@@ -21,9 +22,10 @@ class TestDevice final : public SoundDevice {
   public:
     explicit TestDevice(Card& card) : card_(card) {}
 
-    Result<void> open(FrameSource source) override {
+    Result<void> open(FrameSource source, int block) override {
         if (!card_.is_there) return failure("no card");
         card_.source = std::move(source);
+        card_.block = block;
         ++card_.opened;
         return {};
     }
@@ -38,15 +40,19 @@ class TestDevice final : public SoundDevice {
 
 class SoundOutputTest : public testing::Test {
   protected:
-    /// Steps 16 ms, six blocks; the card asks for them if it plays.
+    /// Steps 16 ms, six blocks, or one and a half of the long ones in the mean; the card asks for
+    /// them if it plays.
     void step(bool plays = true) {
         output_.step();
-        for (int i = 0; i < 6 && plays && card_.source; ++i) {
-            std::array<StereoFrame, block_frames> frames;
+        now_ns_ += 16'000'000;
+        owed_ += 6 * block_frames;
+        while (plays && card_.source && owed_ >= card_.block) {
+            std::vector<StereoFrame> frames(static_cast<std::size_t>(card_.block));
             card_.source(frames);
+            owed_ -= card_.block;
             for (const StereoFrame& frame : frames) heard_.push_back(frame.left);
         }
-        now_ns_ += 16'000'000;
+        if (!plays || !card_.source) owed_ = 0;
     }
 
     void steps(int count, bool plays = true) {
@@ -56,6 +62,7 @@ class SoundOutputTest : public testing::Test {
     Card card_;
     Mixer mixer_;
     std::int64_t now_ns_ = 1'000'000'000;
+    int owed_ = 0;  // frames that the card has not asked for yet
     std::vector<float> heard_;
     SoundOutput output_{std::make_unique<TestDevice>(card_), mixer_, [this] { return now_ns_; }};
 };
@@ -131,6 +138,45 @@ TEST_F(SoundOutputTest, StampsFollowTheMixer) {
     steps(20);
     EXPECT_NEAR(static_cast<double>(output_.clock().frame_at(now_ns_)),
                 static_cast<double>(mixer_.now() + FrameClock::lead_frames), 800.0);
+}
+
+TEST_F(SoundOutputTest, RestsInLongBlocksAfterASecondOfSilenceAndEndsTheRestInAnother) {
+    mixer_.send({0, SetContinuous{{.frequency_Hz = 300.0, .level = 0.5}}});
+    steps(10);
+    output_.rest(true);
+    steps(130);
+    EXPECT_EQ(card_.block, block_frames) << "not while anything sounds";
+    mixer_.send({0, SetContinuous{{.frequency_Hz = 300.0, .level = 0.0}}});
+    steps(62);  // within a second, for the tone takes a moment to end
+    EXPECT_EQ(card_.block, block_frames);
+    steps(20);
+    EXPECT_EQ(card_.block, resting_block_frames);
+    output_.rest(false);
+    mixer_.send({0, SetContinuous{{.frequency_Hz = 300.0, .level = 0.5}}});
+    heard_.clear();
+    steps(2);
+    EXPECT_GT(peak(heard_), 0.1F) << "what comes is heard at once, before the blocks are short";
+    EXPECT_EQ(card_.block, resting_block_frames);
+    mixer_.send({0, SetContinuous{{.frequency_Hz = 300.0, .level = 0.0}}});
+    steps(82);
+    EXPECT_EQ(card_.block, block_frames);
+    EXPECT_EQ(card_.opened, 3);
+    EXPECT_TRUE(output_.is_working());
+}
+
+TEST_F(SoundOutputTest, ACardThatIsTakenAtTheChangeIsTriedAgain) {
+    steps(10);
+    output_.rest(true);
+    card_.is_there = false;
+    const FrameTime before = mixer_.now();
+    steps(70);
+    EXPECT_FALSE(output_.is_working());
+    EXPECT_EQ(output_.problem(), "no card");
+    EXPECT_NEAR(static_cast<double>(mixer_.now() - before), 70.0 * 768.0, 1024.0) << "at its pace";
+    card_.is_there = true;
+    steps(130);
+    EXPECT_TRUE(output_.is_working());
+    EXPECT_EQ(card_.block, resting_block_frames);
 }
 
 }  // namespace

@@ -28,6 +28,7 @@ struct FakeBoard {
     std::atomic<int> zeroed_by_handler{0};
     std::atomic<int> is_zero_unconfirmed{0};  // does not answer at the end
     std::atomic<int> is_tried{0};             // motors are tried before it counts as opened
+    std::atomic<int> is_silent{0};            // gives no angles
     std::atomic<int> is_place_known{0};       // the servo tells where the handle is
     std::atomic<int> is_set_up_anew{0};       // to be zeroed it must be set up
     std::atomic<int> handed_over{0};          // how often, from a servo that died to the next

@@ -58,10 +58,25 @@ Space applied(ServiceServer& server) {
 
 constexpr DeviceCommand push{{0.5, 0.0}, {}, 0.0, 1.0};
 
+TEST(Inverse3Arm, ItsAddressIsANameAPortOrBoth) {
+    const auto read = [](const std::string& text) {
+        const auto address = arm_address_of(text);
+        return address ? address->name + ' ' + std::to_string(address->port) : "";
+    };
+    EXPECT_EQ(read(""), " 10001");
+    EXPECT_EQ(read("04EA"), "04EA 10001");
+    EXPECT_EQ(read("04EA@10002"), "04EA 10002");
+    EXPECT_EQ(read("@1"), " 1");
+    EXPECT_EQ(read("@65535"), " 65535");
+    for (const char* const wrong :
+         {"@", "04EA@", "@0", "@65536", "@-1", "@1x", "@1@2", "04 EA", "/dev/ttyACM0"})
+        EXPECT_EQ(read(wrong), "") << wrong;
+}
+
 TEST(Inverse3Arm, IsOpenedDrivenAndReleasedWithZeroConfirmed) {
     ServiceServer server({}, at_rest());
     Watcher watcher;
-    auto opened = open_inverse3("", watcher.opening(), server.port());
+    auto opened = open_inverse3({"", server.port()}, watcher.opening());
     ASSERT_TRUE(opened) << opened.error().line;
     EXPECT_TRUE(watcher.said.empty());
     EXPECT_FALSE(has_joints(opened->profile));
@@ -79,7 +94,7 @@ TEST(Inverse3Arm, OneThatIsNotFitIsWaitedForWithWords) {
         std::this_thread::sleep_for(700ms);
         server.with([](ServiceEmulator& e) { return e.arm().is_calibrated = true; });
     });
-    const auto opened = open_inverse3("", watcher.opening(), server.port());
+    const auto opened = open_inverse3({"", server.port()}, watcher.opening());
     person.join();
     ASSERT_TRUE(opened) << opened.error().line;
     ASSERT_EQ(watcher.said.size(), 2U);
@@ -93,7 +108,7 @@ TEST(Inverse3Arm, NobodyWhoWantsItAnyMoreEndsTheWait) {
     ServiceServer server(truth, at_rest());
     Watcher watcher;
     watcher.most_asked = 100;
-    EXPECT_FALSE(open_inverse3("", watcher.opening(), server.port()));
+    EXPECT_FALSE(open_inverse3({"", server.port()}, watcher.opening()));
 }
 
 TEST(Inverse3Arm, TheCrashHandlersZeroReachesTheService) {
@@ -101,7 +116,7 @@ TEST(Inverse3Arm, TheCrashHandlersZeroReachesTheService) {
     truth.idle_after_s = 1e9;
     ServiceServer server(truth, at_rest());
     Watcher watcher;
-    auto opened = open_inverse3("", watcher.opening(), server.port());
+    auto opened = open_inverse3({"", server.port()}, watcher.opening());
     ASSERT_TRUE(opened) << opened.error().line;
     (void)drive(*opened, push, 0.5);
     opened->zero.write(opened->zero.device);
@@ -111,12 +126,12 @@ TEST(Inverse3Arm, TheCrashHandlersZeroReachesTheService) {
 
 TEST(Inverse3Arm, TheGuardTellsZeroInAConversationOfItsOwn) {
     ServiceServer server({}, at_rest());
-    const auto zeroed = zero_inverse3("", server.port());
+    const auto zeroed = zero_inverse3({"", server.port()});
     EXPECT_TRUE(zeroed) << zeroed.error().line;
     ServiceTruth none;
     none.arms.clear();
     ServiceServer empty(none, at_rest());
-    EXPECT_FALSE(zero_inverse3("", empty.port()));
+    EXPECT_FALSE(zero_inverse3({"", empty.port()}));
 }
 
 TEST(Inverse3Arm, AServiceThatGoesOnWithAForceIsToldApart) {
@@ -125,13 +140,13 @@ TEST(Inverse3Arm, AServiceThatGoesOnWithAForceIsToldApart) {
     ServiceServer server(truth, at_rest());
     Watcher watcher;
     {
-        auto opened = open_inverse3("", watcher.opening(), server.port());
+        auto opened = open_inverse3({"", server.port()}, watcher.opening());
         ASSERT_TRUE(opened) << opened.error().line;
         for (int i = 0; i < 20 && applied(server) == Space{}; ++i) (void)drive(*opened, push, 0.1);
         ASSERT_NE(applied(server), Space{});
         EXPECT_FALSE(opened->release());
     }
-    EXPECT_FALSE(zero_inverse3("", server.port()));
+    EXPECT_FALSE(zero_inverse3({"", server.port()}));
 }
 
 }  // namespace

@@ -55,6 +55,20 @@ TEST_F(ServoProcess, TellsTheTorqueThatComesBeforeItsLoop) {
     (void)servo.peer.end(true);
 }
 
+/// A device that is set up anew after a long trial is not lost: its silence begins with the loop.
+TEST_F(ServoProcess, ADeviceThatIsSilentAtFirstAfterALongTrialIsNotLost) {
+    board_.is_tried = 1;
+    board_.is_silent = 1;
+    start_kiosk();
+    ASSERT_TRUE(wait_until([&] { return board_.is_torque_on == 1; }));
+    poll(nullptr, 0, 2500);  // longer than a device may be silent
+    board_.is_tried = 0;
+    ASSERT_TRUE(wait_for_ticks(200));
+    board_.is_silent = 0;
+    ASSERT_TRUE(press_on_servo(1));
+    EXPECT_EQ(board_.opened, 1) << "the same servo";
+}
+
 class HandedOver : public ProcessRig {
   protected:
     /// Kills the servo with this number while it makes force, and waits for the next.

@@ -3,11 +3,15 @@
 //   servo_rig SOCKET BOARD         the servo
 //   servo_rig SOCKET usb DEVICE    the servo with a board on the USB, whatever its tier
 //   servo_rig usb-kiosk DEVICE     its kiosk, with a hand that is pulled, until killed
+//   servo_rig SOCKET make WORDS    the servo with a device of any make, whatever its tier
+//   servo_rig make-kiosk MAKE PORT FILE    its kiosk as usb-kiosk, which tells what it hears
 //   servo_rig kiosk BOARD [PATH]   the kiosk, until SIGTERM; asks at PATH for its servo; SIGUSR1:
 //                                  keeps a recording; SIGUSR2: its main thread hangs for 0.8 s
 //   servo_rig listen PATH          like systemd with touchline-servo.socket: starts a servo for
 //                                  each request
 //   servo_rig SOCKET               the servo started so: the kiosk names its board
+#include "app/force/backends/kiosk_backends.h"
+#include "app/force/backends/servo_backends.h"
 #include "app/force/servo/servo_process.h"
 #include "app/force/servo/servo_program.h"
 #include "app/force/servo/usb_device.h"
@@ -58,6 +62,7 @@ class FakeDevice final : public JointDevice {
     [[nodiscard]] std::optional<JointAngles> read_angles(double /*now_s*/) override {
         ++board_.reads;
         do_mischief(board_.mischief.exchange(Mischief::none));
+        if (board_.is_silent != 0) return std::nullopt;
         // Moves at 0.12 m/s: a handle that leaps is a fault.
         const double down_m = above.y - pressed.y;
         const double goal_m = board_.is_pressed != 0 ? down_m : 0.0;
@@ -144,22 +149,54 @@ int run_kiosk(const std::string& program, const std::string& board_path, const s
     return 0;
 }
 
-int run_usb_kiosk(const std::string& program, const std::vector<std::string>& words) {
-    ServoProcess servo(usb_servo(program, device_of(words).value()));
-    servo.feel(felt_line(0.045, 1));
+/// Sets a groove a millimetre beside the hand whenever the force has come, which pulls it. Without
+/// force the groove is far away, so that the force may come.
+[[noreturn]] void pull_the_hand(ServoProcess& servo) {
+    constexpr double far_m = 0.045;
+    std::uint64_t version = 0;
+    servo.feel(felt_line(far_m, ++version));
     ServoCommands commands;
     commands.contact.mode = Mode::groove;
     commands.has_frame = false;  // home lies beyond the drawing area
     servo.set(commands);
     MonotonicClock clock;
+    std::string told;
     for (bool is_beside = false;; clock.sleep_until(clock.now_ns() + 2'000'000)) {
         const HandState& hand = servo.latest();
-        const bool is_live = servo.force_status().state == ForceState::live;
-        if (is_live && !is_beside) servo.feel(felt_line(hand.p_WH.y + 0.001, 2));
-        is_beside = is_live;
+        const ForceState state = servo.force_status().state;
+        const bool is_coming = state == ForceState::ramp;  // also while a groove is exchanged
+        const bool is_live = state == ForceState::live;
+        if (!is_coming && is_live != is_beside) {
+            is_beside = is_live;
+            servo.feel(felt_line(is_live ? hand.p_WH.y + 0.001 : far_m, ++version));
+        }
         const std::string notice = servo.take_notice();
         if (!notice.empty()) std::fprintf(stderr, "%s\n", notice.c_str());
+        const std::string words = servo.device_words();
+        if (words != told) std::fprintf(stderr, "words: %s\n", words.c_str());
+        told = words;
     }
+}
+
+int run_usb_kiosk(const std::string& program, const std::vector<std::string>& words) {
+    ServoProcess servo(usb_servo(program, device_of(words).value()));
+    pull_the_hand(servo);
+}
+
+int run_make_kiosk(const std::string& program, const std::string& make, const std::string& port,
+                   const std::string& told) {
+    if (std::freopen(told.c_str(), "a", stderr) == nullptr ||
+        std::setvbuf(stderr, nullptr, _IONBF, 0) != 0)
+        return 1;
+    auto found = find_backend(make)->find(port);
+    if (!found || !*found) {
+        std::fprintf(stderr, "%s\n", found ? "not there" : found.error().line.c_str());
+        return 1;
+    }
+    (*found)->servo.program = program;
+    (*found)->servo.arguments.insert((*found)->servo.arguments.begin(), "make");
+    ServoProcess servo(std::move((*found)->servo));
+    pull_the_hand(servo);
 }
 
 /// Listens until it is killed. The kernel reaps its children.
@@ -179,10 +216,8 @@ int listen_at(const std::string& program, const std::string& path) {
     }
 }
 
-/// Opens the device whatever the tier, so that a busy machine changes nothing.
-Result<OpenedDevice> open_at_any_tier(std::span<const std::string> arguments,
-                                      const Opening& opening) {
-    auto opened = open_usb_device(device_of(arguments).value(), opening);
+/// A busy machine changes nothing.
+Result<OpenedDevice> at_any_tier(Result<OpenedDevice> opened) {
     if (opened) opened->has_motors = false;
     return opened;
 }
@@ -199,10 +234,17 @@ int main(int argc, char** argv) {
         });
     }
     if (std::string(argv[1]) == "usb-kiosk") return run_usb_kiosk(argv[0], {argv + 2, argv + argc});
+    if (std::string(argv[1]) == "make-kiosk" && argc == 5)
+        return run_make_kiosk(argv[0], argv[2], argv[3], argv[4]);
+    const std::vector<std::string> device(argv + std::min(argc, 3), argv + argc);
     if (std::string(argv[2]) == "usb") {
-        const std::vector<std::string> device(argv + 3, argv + argc);
         return run_servo_program(std::stoi(argv[1]), [&](const Opening& opening) {
-            return open_at_any_tier(device, opening);
+            return at_any_tier(open_usb_device(device_of(device).value(), opening));
+        });
+    }
+    if (std::string(argv[2]) == "make") {
+        return run_servo_program(std::stoi(argv[1]), [&](const Opening& opening) {
+            return at_any_tier(open_named_device(device, opening));
         });
     }
     if (std::string(argv[1]) == "kiosk")

@@ -31,7 +31,7 @@ namespace {
 constexpr int stretches = 21;
 constexpr double stretch_s = 2.0;
 constexpr double frame_s = 1.0 / 60.0;
-constexpr double longest_rest_s = 35.0;  // then all parts that rest do (sound, after 30 s)
+constexpr double longest_rest_s = 40.0;  // then all parts that rest do (servo, sound: after 30 s)
 
 double at_share(std::vector<double> values, double share) {
     std::ranges::sort(values);

@@ -26,7 +26,7 @@ class PacedDevice final : public SoundDevice {
 
     ~PacedDevice() override { close(); }
 
-    Result<void> open(FrameSource source) override {
+    Result<void> open(FrameSource source, int /*block*/) override {
         thread_ = std::jthread([this, source = std::move(source)](const std::stop_token& stop) {
             auto due = std::chrono::steady_clock::now();
             while (!stop.stop_requested()) {

@@ -1,14 +1,19 @@
 #include "tests/machines/sim/drives/real_time_hosts.h"
 
+#include "tests/machines/sim/hardware_thread.h"
+
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <stdexcept>
 
 #include <fcntl.h>
 #include <linux/can.h>
 #include <sys/socket.h>
+#include <sys/un.h>
 #include <unistd.h>
 
 namespace touchline {
@@ -23,6 +28,31 @@ int opened_master() {
     return master;
 }
 
+/// Carries what has come to the device, and what the device has said by now.
+void carry(SerialPeer& peer, int descriptor, std::optional<SentBytes>& due, double now_s) {
+    std::array<std::uint8_t, 512> got{};
+    const ssize_t size = read(descriptor, got.data(), got.size());
+    if (size > 0) peer.take({got.data(), static_cast<std::size_t>(size)});
+    while (due || (due = peer.leave())) {
+        if (due->at_s > now_s) return;
+        (void)!write(descriptor, due->bytes.data(), due->bytes.size());
+        due.reset();
+    }
+}
+
+/// Listens at the path. A client that is gone must not end the test with SIGPIPE.
+int opened_door(const std::string& path) {
+    (void)std::signal(SIGPIPE, SIG_IGN);
+    sockaddr_un place{};
+    place.sun_family = AF_UNIX;
+    path.copy(place.sun_path, sizeof place.sun_path - 1);
+    const int door = socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
+    if (door < 0 || bind(door, reinterpret_cast<const sockaddr*>(&place), sizeof place) != 0 ||
+        listen(door, 8) != 0)
+        throw std::runtime_error("no socket at " + path);
+    return door;
+}
+
 std::array<int, 2> socket_pair() {
     std::array<int, 2> ends{};
     if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_NONBLOCK | SOCK_CLOEXEC, 0, ends.data()) != 0)
@@ -34,6 +64,7 @@ std::array<int, 2> socket_pair() {
 
 RealTimeThread::RealTimeThread(std::function<void(double)> step)
     : step_(std::move(step)), thread_([this] {
+          become_hardware();
           const auto start = std::chrono::steady_clock::now();
           while (!is_ending_) {
               const auto now = std::chrono::steady_clock::now();
@@ -64,14 +95,7 @@ void PtyHost::step(double now_s) {
         if (master_ >= 0) close(std::exchange(master_, -1));
         return;
     }
-    std::array<std::uint8_t, 512> got{};
-    const ssize_t size = read(master_, got.data(), got.size());
-    if (size > 0) peer_.take({got.data(), static_cast<std::size_t>(size)});
-    while (due_ || (due_ = peer_.leave())) {
-        if (due_->at_s > now_s) return;
-        (void)!write(master_, due_->bytes.data(), due_->bytes.size());
-        due_.reset();
-    }
+    carry(peer_, master_, due_, now_s);
 }
 
 void PtyHost::unplug() {
@@ -81,6 +105,29 @@ void PtyHost::unplug() {
 void PtyHost::end_after(double span_s) {
     std::this_thread::sleep_for(std::chrono::duration<double>(span_s));
     thread_.stop();
+}
+
+SocketHost::SocketHost(SerialPeer& peer)
+    : peer_(peer),
+      path_("/dev/shm/touchline-" + std::to_string(getpid()) + ".terminal"),
+      door_(opened_door(path_)),
+      thread_([this](double now_s) { step(now_s); }) {}
+
+SocketHost::~SocketHost() {
+    thread_.stop();
+    if (client_ >= 0) close(client_);
+    close(door_);
+    std::filesystem::remove(path_);
+}
+
+void SocketHost::step(double now_s) {
+    peer_.advance_to(now_s);
+    if (const int next = accept4(door_, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
+        next >= 0) {
+        if (client_ >= 0) close(client_);
+        client_ = next;
+    }
+    carry(peer_, client_, due_, now_s);
 }
 
 CanHost::CanHost(MoteusBus& bus)

@@ -58,6 +58,29 @@ class PtyHost : private Pinned {
     RealTimeThread thread_;
 };
 
+/// A socket with a device at its other end. For a program that runs with the library
+/// socket_terminal before all others, its path is a port like a terminal's; but the kernel carries
+/// the bytes at once, where those of a pseudo-terminal wait for a worker that a busy machine holds
+/// up.
+class SocketHost : private Pinned {
+  public:
+    explicit SocketHost(SerialPeer& peer);
+    ~SocketHost();
+
+    /// What a program opens, below /dev as settings want it; the one that opens it last is served.
+    [[nodiscard]] const std::string& path() const { return path_; }
+
+  private:
+    void step(double now_s);
+
+    SerialPeer& peer_;
+    std::string path_;
+    int door_ = -1;
+    int client_ = -1;
+    std::optional<SentBytes> due_;
+    RealTimeThread thread_;
+};
+
 /// One end of a pair of sockets, as a CAN bus with two controllers.
 class CanHost : private Pinned {
   public:

@@ -16,7 +16,6 @@
 #include <fuse_lowlevel.h>
 #include <linux/usbdevice_fs.h>
 #include <poll.h>
-#include <sched.h>
 #include <sys/ioctl.h>
 #include <sys/stat.h>
 #include <sys/uio.h>
@@ -47,11 +46,6 @@ UsbNodeServer& server_of(fuse_req_t request) {
 }
 
 }  // namespace
-
-void become_hardware() {
-    const sched_param priority{95};
-    (void)sched_setscheduler(0, SCHED_FIFO | SCHED_RESET_ON_FORK, &priority);
-}
 
 /// FUSE's calls. The file system is a single file.
 struct NodeOperations {

@@ -5,6 +5,7 @@
 
 #include "config/types/pinned.h"
 #include "tests/machines/sim/board/usb_function.h"
+#include "tests/machines/sim/hardware_thread.h"
 
 #include <atomic>
 #include <cstdint>
@@ -22,9 +23,6 @@ struct fuse_session;
 struct fuse_pollhandle;
 
 namespace touchline {
-
-/// Gives this thread priority over everything under test, if that is granted.
-void become_hardware();
 
 /// Real time drives the board.
 /// Threads: calls from one; two own threads answer and deliver like hardware, which is never busy.
