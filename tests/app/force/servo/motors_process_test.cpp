@@ -8,6 +8,7 @@
 #include "tests/machines/sim/drives/shared_peer.h"
 
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 #include <optional>
 #include <string>
