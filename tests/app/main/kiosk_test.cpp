@@ -49,7 +49,7 @@ TEST_F(Kiosk, ALineDrawnWithThePointerIsThere) {
         }
         kiosk
         await '#FFD400' -gt 100
-        keys Return Return Down Down Down Down Return
+        for key in Return Return Down Down Down Down Return; do keys $key; sleep 0.5; done
         await '#2EF2C7' -gt 10
         [ $(share '#FFD400') = 0 ] || exit 8
         xdotool mousemove 120 300 mousedown 1
