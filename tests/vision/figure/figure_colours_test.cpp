@@ -1,5 +1,6 @@
 #include "vision/figure/figure_colours.h"
 
+#include "tests/vision/figure/with_noise.h"
 #include "vision/figure/figures.h"
 
 #include <algorithm>
@@ -16,12 +17,7 @@ constexpr float limit = 0.45F;
 cv::Mat3b square_on_ground() {
     cv::Mat3b picture(300, 400, cv::Vec3b(60, 140, 80));
     cv::rectangle(picture, cv::Rect(120, 90, 160, 120), cv::Scalar(30, 60, 120), cv::FILLED);
-    cv::RNG random(5);
-    cv::Mat3s noise(picture.size());
-    random.fill(noise, cv::RNG::NORMAL, 0.0, 6.0);
-    cv::Mat3b noisy;
-    cv::add(picture, noise, noisy, {}, CV_8UC3);
-    return noisy;
+    return with_noise(picture, 6.0, 5);
 }
 
 /// A blot over the whole picture, stretched to a square of 64, as a network gives it.
