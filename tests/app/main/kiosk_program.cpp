@@ -25,7 +25,9 @@ quit() { keys q Down Return; finish; }
 int KioskProgram::run_script(const std::string& script, bool has_display) {
     const std::filesystem::path path = folder_ / "script.sh";
     std::ofstream(path) << "cd '" << folder_.string() << "'\n" << script_tools << script << '\n';
-    const std::string settings = "TOUCHLINE_SETTINGS='" + (folder_ / "kiosk.toml").string() + "' ";
+    // Without a sound card the kiosk says so at a moment of its own, and a key then closes that.
+    const std::string settings =
+        "SDL_AUDIODRIVER=dummy TOUCHLINE_SETTINGS='" + (folder_ / "kiosk.toml").string() + "' ";
     const std::string display = has_display
                                     ? "LP_NUM_THREADS=1 xvfb-run -a -s '-screen 0 1024x768x24' "
                                     : "env -u DISPLAY -u WAYLAND_DISPLAY ";
