@@ -35,8 +35,6 @@ constexpr std::string_view unreadable_file =
     "The file cannot be read. Choose another one, or call the staff.";
 constexpr std::string_view staffs_unreadable_file =
     "The file cannot be read. Copy it to the USB stick again.";
-constexpr std::string_view unplugged = "The handle is unplugged. Please call the staff.";
-constexpr std::string_view staffs_unplugged = "The handle is unplugged. Plug its cable in again.";
 
 /// The sentences of the camera and the sticks are catalogue texts already. No other line is trusted
 /// as one, for it may come from a worker that a file has taken over.
@@ -145,25 +143,6 @@ constexpr auto rows_of_files = std::to_array<LineRow>({
     {"no shared memory of a fixed size", unreadable_file, staffs_unreadable_file},
     {"cannot be opened", unreadable_file, staffs_unreadable_file},
     {"cannot be read", unreadable_file, staffs_unreadable_file},
-});
-
-constexpr auto rows_of_devices = std::to_array<LineRow>({
-    {"unplugged or gave up", unplugged, staffs_unplugged},
-    {"the board was unplugged", unplugged, staffs_unplugged},
-    {"is no longer plugged in", unplugged, staffs_unplugged},
-    {"no board is plugged in", unplugged, staffs_unplugged},
-    {"no pantograph's board is plugged in", unplugged, staffs_unplugged},
-    {"kind of this handle is not chosen", "This handle is new. Please call the staff.",
-     "This handle is new. Choose its kind, under Handle and tests."},
-    {"it took too long", "That took too long. Please call the staff.",
-     "That took too long. Find the handle’s starting point again."},
-    {"has lost its place",
-     "The handle has lost its place. The voice will tell you where to move it."},
-    {"does not answer", "The handle does not answer. Please call the staff.",
-     "The handle does not answer. Unplug its cable, then plug it in again."},
-    {"did not confirm zero torque",
-     "Let go of the handle. Its motors may still push. Please call the staff.",
-     "Let go of the handle. Its motors may still push. Turn off their power."},
 });
 
 struct PrintWords {
@@ -275,10 +254,6 @@ std::span<const LineRow> file_lines() {
     return rows_of_files;
 }
 
-std::span<const LineRow> device_lines() {
-    return rows_of_devices;
-}
-
 std::string told_of_file(const std::string& line, std::string_view general,
                          const Language& language, ToldTo to) {
     if (line.empty()) return {};
@@ -290,7 +265,7 @@ std::string told_of_file(const std::string& line, std::string_view general,
 std::string told_of_device(const std::string& line, const Language& language, ToldTo to) {
     if (line.empty()) return {};
     const std::string_view general = to == ToldTo::staff ? staffs_device_trouble : device_trouble;
-    if (!line.ends_with('.')) return told_by(rows_of_devices, line, general, language, to);
+    if (!line.ends_with('.')) return told_by(device_lines(), line, general, language, to);
     if (language.code() == "en") return line;
     std::string said;
     for (std::size_t at = 0; at < line.size();) {

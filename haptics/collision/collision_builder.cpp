@@ -2,6 +2,7 @@
 
 #include "haptics/collision/box.h"
 #include "haptics/collision/touch.h"
+#include "haptics/curve/large_pages.h"
 
 #include <algorithm>
 #include <array>
@@ -137,7 +138,9 @@ std::vector<Entry>::const_iterator find_entry(const std::vector<Entry>& entries,
 
 CollisionTreeBuilder::CollisionTreeBuilder(const CurveSet& curves, KnownPieces known)
     : curves_(curves) {
-    tree_.extents_.resize(curves.point_count() - curves.finest_count() + Fan::width - 1);
+    const std::size_t extents = curves.point_count() - curves.finest_count() + Fan::width - 1;
+    reserve_in_large_pages(tree_.extents_, extents);
+    tree_.extents_.resize(extents);
     std::vector<int> piece_of(known.entries.size(), -1);
     for (int piece = 0; piece < curves.piece_count(); ++piece) {
         const auto entry = find_entry(known.entries, entry_of(piece));

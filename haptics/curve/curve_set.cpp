@@ -1,5 +1,6 @@
 #include "haptics/curve/curve_set.h"
 
+#include "haptics/curve/large_pages.h"
 #include "haptics/curve/spacing.h"
 #include "haptics/curve/wavelet.h"
 
@@ -155,7 +156,7 @@ std::vector<Position> line_between(const std::vector<Position>& points, std::siz
     const std::size_t before_end = std::min(b + 1, points.size()) - a;
     const std::size_t count = b + 1 - a;
     std::vector<Position> line;
-    line.reserve(count);
+    reserve_in_large_pages(line, count);
     line.insert(line.end(), from, from + static_cast<std::ptrdiff_t>(before_end));
     line.insert(line.end(), points.begin(),
                 points.begin() + static_cast<std::ptrdiff_t>(count - before_end));
@@ -336,7 +337,7 @@ class CurveSetBuilder {
 
     void measure_spacing() {
         std::vector<double> squares;
-        squares.reserve(set_.finest_count_);
+        reserve_in_large_pages(squares, set_.finest_count_);
         for (std::size_t i = 0; i < set_.pieces_.size(); ++i) {
             const auto points = set_.points(static_cast<int>(i), 0);
             for (std::size_t j = 1; j < points.size(); ++j) {
@@ -357,7 +358,7 @@ class CurveSetBuilder {
     /// Stores level 0 of all pieces first, then each piece's coarser levels.
     void store_points() {
         const std::size_t points = place_levels();
-        set_.points_.reserve(points);
+        reserve_in_large_pages(set_.points_, points);
         std::size_t most_segments = 0;
         for (std::size_t i = 0; i < firsts_.size(); ++i) {
             set_.points_.insert(set_.points_.end(), firsts_[i].begin(), firsts_[i].end());

@@ -1,13 +1,13 @@
 #include "haptics/servo/recorder.h"
 
+#include "haptics/curve/large_pages.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <memory>
 #include <span>
-
-#include <sys/mman.h>
 
 namespace touchline {
 namespace {
@@ -20,17 +20,6 @@ void overwrite(std::span<T> values) {
         ::explicit_bzero(static_cast<void*>(&value), sizeof value);
         std::construct_at(&value);
     }
-}
-
-/// A minute of ticks is some ten thousand small pages, and a servo cannot start before all of them
-/// came. Without large pages nothing changes.
-void ask_for_large_pages(void* start, std::size_t bytes) {
-    constexpr std::size_t page_bytes = 4096;
-    const auto first =
-        (reinterpret_cast<std::uintptr_t>(start) + page_bytes - 1) & ~(page_bytes - 1);
-    const std::size_t skipped = first - reinterpret_cast<std::uintptr_t>(start);
-    if (bytes <= skipped) return;
-    (void)::madvise(static_cast<std::byte*>(start) + skipped, bytes - skipped, MADV_HUGEPAGE);
 }
 
 }  // namespace
@@ -69,8 +58,8 @@ TickRecord record_of(const StepInput& input, const ServoStep& after, const Devic
 
 Recorder::Recorder(std::size_t capacity)
     : steps_(capacity == 0 ? 0 : capacity / ticks_per_step + 2) {
-    ring_.reserve(capacity);
-    ask_for_large_pages(ring_.data(), capacity * sizeof(TickRecord));
+    // A minute of ticks is some ten thousand small pages, and a servo cannot start before all came.
+    reserve_in_large_pages(ring_, capacity);
     ring_.resize(capacity);
 }
 

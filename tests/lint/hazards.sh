@@ -7,7 +7,7 @@ page=tests/lab/reliability/hazards.tsv
 
 cases() {
     find tests -name '*.cpp' -print0 | xargs -0 cat | tr '\n' ' ' |
-        grep -oE '\<(TEST|TEST_F|TEST_P|RC_GTEST_PROP|RC_GTEST_FIXTURE_PROP)\( *[A-Za-z0-9_]+, *[A-Za-z0-9_]+' |
+        grep -oE '\<(TEST|TEST_F|TEST_P|TYPED_TEST|RC_GTEST_PROP|RC_GTEST_FIXTURE_PROP)\( *[A-Za-z0-9_]+, *[A-Za-z0-9_]+' |
         sed -E 's/.*\( *//; s/, */./'
     find tests -name CMakeLists.txt -print0 | xargs -0 sed -nE 's/.*add_test\(NAME ([A-Za-z0-9_.]+).*/\1/p'
 }

@@ -103,6 +103,7 @@ Result<void> try_in_time(MotorPantograph& motors, const Opening& opening) {
         MotorsProcedure procedure{motors, clock, opening.goes_on, opening.say, a_day_s};
         if (opening.mark_force) procedure.mark_force = opening.mark_force;
         tried = try_motors(procedure);
+        if (!tried && !motors.words().empty()) tried = failure(motors.words());
         opening.say({});
     }).join();
     return tried;
@@ -149,6 +150,7 @@ Result<OpenedDevice> open_motors(const MotorsDevice& device, const Opening& open
     result.zero = {let_motors_go, watched.get()};
     result.has_lost_place = &watched->has_lost_place();
     result.release = [let_go = watched.get()] { return let_go->motors().stop(); };
+    result.trouble = [let_go = watched.get()] { return let_go->motors().words(); };
     result.device = std::move(watched);
     return result;
 }

@@ -167,7 +167,8 @@ class ServoProgram {
             if (is_device_gone()) lost = "the device does not answer any more: check its plug";
         }
         opened.device = servo_.stop();
-        return lost;
+        const std::string why = !lost.empty() && opened.trouble ? opened.trouble() : std::string();
+        return why.empty() ? lost : why;
     }
 
     int fail(const std::string& line) {

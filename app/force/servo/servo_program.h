@@ -60,6 +60,9 @@ struct OpenedDevice {
     /// Ends the device's work, after the loop. False if it did not confirm zero torque. None: there
     /// is nothing to confirm.
     std::function<bool()> release;
+    /// Says in one line why the device gives no place, if it knows; else an empty one. Asked once
+    /// its loop has ended. None: it never knows.
+    std::function<std::string()> trouble = {};
 };
 
 /// What a device may need from the program while a person homes it.

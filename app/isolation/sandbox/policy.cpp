@@ -29,10 +29,12 @@ constexpr std::array calls_of_workers{
     SCMP_SYS(writev),      SCMP_SYS(ftruncate),      SCMP_SYS(gettimeofday),
     SCMP_SYS(sched_yield), SCMP_SYS(rt_sigprocmask), SCMP_SYS(sched_getaffinity)};
 
-/// fontconfig, GLib, libexiv2, iconv and sorting try these, and go on without them.
-constexpr std::array files_of_libraries{SCMP_SYS(readlink),   SCMP_SYS(statx),
-                                        SCMP_SYS(statfs),     SCMP_SYS(getcwd),
-                                        SCMP_SYS(getdents64), SCMP_SYS(sysinfo)};
+/// fontconfig, GLib, libexiv2, iconv and sorting try these, and go on without them. The C library
+/// of arm64 asks readlinkat instead of readlink, which that kernel does not have; libseccomp
+/// passes over what a kernel does not have.
+constexpr std::array files_of_libraries{
+    SCMP_SYS(readlink), SCMP_SYS(readlinkat), SCMP_SYS(statx),  SCMP_SYS(statfs),
+    SCMP_SYS(getcwd),   SCMP_SYS(getdents64), SCMP_SYS(sysinfo)};
 
 /// The flags of openat2 lie in memory, where no filter sees them; Landlock judges those calls.
 constexpr std::array calls_of_reading_beneath{SCMP_SYS(openat2), SCMP_SYS(getdents64)};
@@ -102,7 +104,7 @@ void allow_reading_fonts(Rules& rules) {
 void refuse_what_libraries_try(Rules& rules, const WorkerLimits& limits) {
     for (const int call : files_of_libraries) refuse(rules, call, EACCES);
     // Libraries ask this for every font, even loaded ones; the answer is always that it exists.
-    refuse(rules, SCMP_SYS(access), 0);
+    for (const int call : {SCMP_SYS(access), SCMP_SYS(faccessat)}) refuse(rules, call, 0);
     refuse(rules, SCMP_SYS(newfstatat), EACCES, has_none(3, AT_EMPTY_PATH));
     limits.reads_fonts ? allow_reading_fonts(rules) : refuse(rules, SCMP_SYS(openat), EACCES);
 }

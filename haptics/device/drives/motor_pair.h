@@ -27,6 +27,7 @@ struct MotorTrouble {
         no_encoder,        // it does not know where its shaft is
         not_calibrated,    // it does not know its motor yet
         too_old,           // its firmware lacks what is needed
+        other_control,     // it keeps a control of its own, which changes what it is told
         silent             // it does not answer
     };
     Kind kind = Kind::none;

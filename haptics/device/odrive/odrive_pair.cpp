@@ -143,9 +143,9 @@ void OdrivePair::read_back(const Burst& burst) {
         if (q.asked == Asked::most_torque && !(q.answer <= most_Nm_ + same))
             return doubt(MotorTrouble::Kind::too_old, q.axis);
         if (q.asked == Asked::control_mode && !is(torque_control))
-            return doubt(MotorTrouble::Kind::too_old, q.axis);
+            return doubt(MotorTrouble::Kind::other_control, q.axis);
         if (q.asked == Asked::input_mode && !is(as_told))
-            return doubt(MotorTrouble::Kind::too_old, q.axis);
+            return doubt(MotorTrouble::Kind::other_control, q.axis);
         if (q.asked == Asked::encoder_ready && !is(1.0))
             return refuse(MotorTrouble::Kind::no_encoder, q.axis);
         if (q.asked == Asked::motor_calibrated && !is(1.0))

@@ -49,6 +49,11 @@ std::string OdrivePair::words_of(const MotorTrouble& trouble) const {
             return who + " does not know its encoder yet: run the maker's calibration once";
         case Kind::not_calibrated:
             return who + " does not know its motor yet: run the maker's calibration once";
+        case Kind::other_control:
+            return who +
+                   " keeps a control mode or a ramp that changes the torque it is told, so no "
+                   "force "
+                   "is given: set its controller.config.control_mode and input_mode to 1 and save";
         case Kind::too_old:
         case Kind::not_let_go:
             return who + " lacks what force needs: renew its firmware";

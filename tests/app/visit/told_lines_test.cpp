@@ -119,6 +119,19 @@ bool is_told_to_nobody(const std::string& line) {
         parts, [&line](const char* part) { return line.find(part) != std::string::npos; });
 }
 
+/// Ends that somebody wanted, orders that no kiosk gives, and parts of lines that are told whole.
+bool is_told_to_no_person(const std::string& line) {
+    static const std::array parts{"nobody wants the Inverse3",
+                                  "what the kiosk starts it with",
+                                  "numbers are out of range",
+                                  "did not confirm that",
+                                  "see device.port",
+                                  "not tried",
+                                  " stopped with "};
+    return std::ranges::any_of(
+        parts, [&line](const char* part) { return line.find(part) != std::string::npos; });
+}
+
 /// Returns the lines of a Result: the arguments of failure(), and what happened and what to do.
 std::vector<std::string> reasons_in(const std::string& code) {
     std::vector<std::string> reasons = failures_in(code);
@@ -177,6 +190,31 @@ bool holds(const std::string& line, std::string_view part) {
         if (star != std::string_view::npos) part.remove_prefix(star + 1);
     }
     return true;
+}
+
+/// What controllers, ports and services say of themselves: what is wrong, a colon, what to do.
+TEST(ToldLines, EveryTroubleOfADeviceHasASentenceForTheStaff) {
+    int count = 0;
+    for (const char* name :
+         {"haptics/device/moteus/moteus_words.cpp", "haptics/device/odrive/odrive_words.cpp",
+          "haptics/device/inverse3/inverse3_session.cpp",
+          "haptics/device/inverse3/inverse3_service.cpp", "haptics/device/moteus/can_socket.cpp",
+          "haptics/device/serial/serial_port.cpp", "app/force/servo/inverse3_arm.cpp",
+          "app/force/servo/motors_device.cpp"}) {
+        const std::string code = text_of(source / name);
+        std::vector<std::string> lines = failures_in(code);
+        const bool has_halves = code.find("could not be opened: ") != std::string::npos;
+        for (const std::string& literal : literals_in(code))
+            if (!has_halves && literal.find(": ") != std::string::npos) lines.push_back(literal);
+        std::erase_if(lines, is_told_to_no_person);
+        for (const std::string& pattern : lines) {
+            ++count;
+            const std::string line = with_sample_values(pattern);
+            EXPECT_NE(told_of_device(line, Language(), ToldTo::staff), staffs_device_trouble)
+                << name << ": " << line;
+        }
+    }
+    EXPECT_GT(count, 40) << "the sources are read";
 }
 
 /// A row is dead if no program gives its line any more.

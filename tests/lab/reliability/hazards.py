@@ -36,7 +36,8 @@ def names():
 
 def ended(name, cases):
     """'passed', 'failed' or '': of all the cases of this test, whatever they are called with."""
-    of_name = re.compile(rf'(?:\w+/)?{re.escape(name)}(?:/.*)?$')
+    suite, case_name = map(re.escape, name.split('.'))
+    of_name = re.compile(rf'(?:\w+/)?{suite}(?:/\d+)?\.{case_name}(?:/.*)?$')
     ends = [end for case, end in cases if of_name.match(case)]
     return '' if not ends else 'failed' if 'failed' in ends else 'passed'
 

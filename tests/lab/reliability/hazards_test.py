@@ -21,6 +21,7 @@ class Judged(unittest.TestCase):
         self.assertEqual(hazards.ended('A.Is', cases), 'failed')
         self.assertEqual(hazards.ended('A.IsNot', cases), 'passed')
         self.assertEqual(hazards.ended('B.Is', cases), '')
+        self.assertEqual(hazards.ended('A.Is', [('A/0.Is', 'passed'), ('A/1.Is', 'failed'), ('A/0.IsNot', 'passed')]), 'failed')
 
     def test_a_row_is_as_good_as_its_worst_evidence(self):
         known = {'A.Is': 'passed', 'B.Is': 'failed'}

@@ -76,9 +76,10 @@ class MakeKiosk : private Pinned {
         return all.substr(from, all.find('\n', from) - from);
     }
 
-    /// Looks until the condition holds, or a minute has passed.
+    /// Looks until the condition holds, or about two minutes have passed: a guard that had to kill
+    /// its servo on a busy machine waits longer each time.
     [[nodiscard]] bool looks_until(const std::function<bool()>& condition) const {
-        constexpr int longest_wait_ms = 60'000;
+        constexpr int longest_wait_ms = 100'000;
         for (int i = 0; i < longest_wait_ms; ++i) {
             look_(words());
             if (condition()) return true;

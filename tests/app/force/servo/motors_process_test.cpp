@@ -5,60 +5,19 @@
 #include "tests/app/force/servo/make_kiosk.h"
 #include "tests/machines/sim/drives/drive_rig.h"
 #include "tests/machines/sim/drives/real_time_hosts.h"
+#include "tests/machines/sim/drives/shared_peer.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
-#include <mutex>
 #include <optional>
 #include <string>
 
 namespace touchline {
 namespace {
 
-constexpr double longest_turn_s = 0.001;  // of the emulator, for more was the machine's
-constexpr double longest_free_s = watchdog_s + longest_turn_s + 2.5e-4;  // two of its steps
+constexpr double longest_free_s =
+    watchdog_s + SharedPeer::longest_turn_s + 2.5e-4;  // two of the emulator's steps
 constexpr double most_nudge_Nm = 0.03;
-
-/// The emulated controllers as several threads see them, on a clock that goes on only while they
-/// are served.
-class SharedPeer final : public SerialPeer {
-  public:
-    explicit SharedPeer(SerialPeer& peer) : peer_(peer) {}
-
-    void advance_to(double t_s) override {
-        const std::lock_guard lock(mutex_);
-        now_s_ += std::min(t_s - std::exchange(last_s_, t_s), longest_turn_s);
-        peer_.advance_to(now_s_);
-    }
-
-    void take(std::span<const std::uint8_t> bytes) override {
-        const std::lock_guard lock(mutex_);
-        peer_.take(bytes);
-    }
-
-    [[nodiscard]] std::optional<SentBytes> leave() override {
-        const std::lock_guard lock(mutex_);
-        if (!due_) due_ = peer_.leave();
-        if (!due_ || due_->at_s > now_s_) return std::nullopt;
-        SentBytes sent = *std::exchange(due_, std::nullopt);
-        sent.at_s = 0.0;  // the host's clock is another one
-        return sent;
-    }
-
-    /// Runs `look` on the controllers' time, which stands still meanwhile.
-    template <class Look>
-    auto with(Look look) {
-        const std::lock_guard lock(mutex_);
-        return look(now_s_);
-    }
-
-  private:
-    SerialPeer& peer_;
-    std::mutex mutex_;
-    double now_s_ = 0.0, last_s_ = 0.0;
-    std::optional<SentBytes> due_;
-};
 
 DriveTruth nobody_holds_it() {
     DriveTruth truth;
@@ -198,6 +157,16 @@ TYPED_TEST(MotorsProcess, TheWatchdogsLetGoOfAKilledServoWithoutAGuard) {
     });
     ASSERT_TRUE(from_s);
     this->expect_free_for_good(*from_s);
+}
+
+/// A controller's own words reach the log, not only that the device was lost.
+TYPED_TEST(MotorsProcess, AControllerThatFailsIsToldInItsWords) {
+    const auto from_s = this->end_while_pulling([this] { this->machine_.fail(1); });
+    ASSERT_TRUE(from_s);
+    EXPECT_TRUE(this->kiosk_->looks_until([this] {
+        return this->kiosk_->told().find(TypeParam::fault_words()) != std::string::npos;
+    })) << this->kiosk_->told();
+    this->expect_free_after(*from_s);
 }
 
 TYPED_TEST(MotorsProcess, AKilledServoIsFollowedByOneThatTriesTheMotorsAnew) {

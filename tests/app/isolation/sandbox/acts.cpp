@@ -32,6 +32,7 @@ constexpr const char* a_file = "/etc/passwd";
 constexpr const char* a_new_file = "must-not-exist";
 constexpr std::uintptr_t anywhere = 0;
 
+#ifdef __x86_64__
 constexpr std::string_view name_of_32_bit_call = "32-bit call";
 
 long get_pid_in_32_bits() {
@@ -50,6 +51,7 @@ bool has_32_bit_calls() {
     waitpid(pid, &status, 0);
     return !WIFSIGNALED(status);
 }
+#endif
 
 long make_code() {
     void* const page =
@@ -82,17 +84,29 @@ long read_system_file() {
 
 const std::vector<Act>& acts() {
     static const std::vector<Act> all{
-        {"open", [] { return call(SYS_open, a_file, O_RDONLY); }, true},
         {"openat", [] { return call(SYS_openat, AT_FDCWD, a_file, O_RDONLY); }, true, true},
         {"create", [] { return call(SYS_openat, AT_FDCWD, a_new_file, O_CREAT | O_WRONLY, 0600); },
          true},
+#ifdef __x86_64__
+        {"open", [] { return call(SYS_open, a_file, O_RDONLY); }, true},
         {"mkdir", [] { return call(SYS_mkdir, a_new_file, 0700); }, true},
         {"symlink", [] { return call(SYS_symlink, a_file, a_new_file); }, true},
         {"link", [] { return call(SYS_link, a_file, a_new_file); }, true},
         {"unlink", [] { return call(SYS_unlink, "victim"); }, true},
         {"rename", [] { return call(SYS_rename, "victim", a_new_file); }, true},
-        {"truncate", [] { return call(SYS_truncate, "victim", 0); }},
         {"chmod", [] { return call(SYS_chmod, "victim", 0777); }},
+        {"vfork", [] { return call(SYS_vfork); }},
+        {name_of_32_bit_call, get_pid_in_32_bits},
+#else  // the kernel of arm64 has only those that name a folder as well, and clone
+        {"mkdir", [] { return call(SYS_mkdirat, AT_FDCWD, a_new_file, 0700); }, true},
+        {"symlink", [] { return call(SYS_symlinkat, a_file, AT_FDCWD, a_new_file); }, true},
+        {"link", [] { return call(SYS_linkat, AT_FDCWD, a_file, AT_FDCWD, a_new_file, 0); }, true},
+        {"unlink", [] { return call(SYS_unlinkat, AT_FDCWD, "victim", 0); }, true},
+        {"rename", [] { return call(SYS_renameat, AT_FDCWD, "victim", AT_FDCWD, a_new_file); },
+         true},
+        {"chmod", [] { return call(SYS_fchmodat, AT_FDCWD, "victim", 0777); }},
+#endif
+        {"truncate", [] { return call(SYS_truncate, "victim", 0); }},
         {"stat",
          [] {
              struct stat found {};
@@ -102,7 +116,6 @@ const std::vector<Act>& acts() {
         {"unix socket", [] { return call(SYS_socket, AF_UNIX, SOCK_STREAM, 0); }},
         {"netlink", [] { return call(SYS_socket, AF_NETLINK, SOCK_RAW, 0); }},
         {"fork", start_process},
-        {"vfork", [] { return call(SYS_vfork); }},
         {"exec", run_program, true},
         {"memory with code", make_code},
         {"data made code", make_data_code},
@@ -130,14 +143,18 @@ const std::vector<Act>& acts() {
         {"priority", [] { return call(SYS_setpriority, PRIO_PROCESS, 0, 0); }},
         {"set time", [] { return call(SYS_settimeofday, anywhere, anywhere); }},
         {"duplicate", [] { return call(SYS_dup, 1); }},
-        {name_of_32_bit_call, get_pid_in_32_bits},
     };
     return all;
 }
 
 int deadly_signal(const Act& act) {
+#ifdef __x86_64__
     static const bool kernel_has_them = has_32_bit_calls();
     return act.name == name_of_32_bit_call && !kernel_has_them ? SIGSEGV : SIGSYS;
+#else
+    (void)act;
+    return SIGSYS;
+#endif
 }
 
 }  // namespace touchline

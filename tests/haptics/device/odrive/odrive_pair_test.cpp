@@ -62,7 +62,7 @@ TEST(OdrivePair, AnAxisThatKeepsItsRampGetsNoTorque) {
     auto axes = OdriveMachine::units();
     axes[0].stored_input_mode = 6;
     axes[0].deaf_to_input_modes = 1000;
-    expect_refused(axes, "axis 0 (motor 1) lacks what force needs");
+    expect_refused(axes, "axis 0 (motor 1) keeps a control mode or a ramp");
 }
 
 TEST(OdrivePair, ARampWhoseEndWasLostInArmingIsSeenAndAZeroIsOne) {

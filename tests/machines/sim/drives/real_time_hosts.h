@@ -67,7 +67,7 @@ class SocketHost : private Pinned {
     explicit SocketHost(SerialPeer& peer);
     ~SocketHost();
 
-    /// What a program opens; the one that opens it last is served.
+    /// What a program opens, below /dev as settings want it; the one that opens it last is served.
     [[nodiscard]] const std::string& path() const { return path_; }
 
   private:
