@@ -20,6 +20,12 @@ struct OffPlane {
     double across_N = 0.0;  // what it makes along the normal
 };
 
+/// How new a place is.
+struct Freshness {
+    bool is_new = true;   // false: this place was told before
+    double late_s = 0.0;  // later than one that comes at once, at most: it may be older by so much
+};
+
 /// What a device tells of its handle, in D. A number that is not finite is a fault of the device.
 struct DeviceReading {
     std::optional<Position> p_D;         // nothing: the links cannot be as the joints say
@@ -28,7 +34,7 @@ struct DeviceReading {
     std::optional<OffPlane> off_plane;   // of a device with a third axis
     std::optional<double> handle_rad;    // counter-clockwise, since set-up; if the handle turns
     JointAngles joints;                  // of a joint device: for the servo that takes over
-    bool is_new = true;                  // false: this place was told before
+    Freshness freshness;
 };
 
 /// What a device is told. Of force and torques one is the device's own, by its kind; the other is

@@ -16,6 +16,7 @@ std::optional<DeviceReading> JointDevice::read(double now_s) {
     const auto angles = read_angles(now_s);
     if (!angles) return std::nullopt;
     DeviceReading reading = reading_of(geometry_, *angles);
+    reading.freshness = freshness();
     reading.handle_rad = handle_angle_rad();
     return reading;
 }

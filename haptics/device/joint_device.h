@@ -24,6 +24,9 @@ class JointDevice : public ForceDevice {
     /// Returns the joint angles in D, as read() does.
     [[nodiscard]] virtual std::optional<JointAngles> read_angles(double now_s) = 0;
 
+    /// How new the joint angles last read are.
+    [[nodiscard]] virtual Freshness freshness() const { return {}; }
+
     /// How far the handle has turned, counter-clockwise, since the device was set up; as old as the
     /// joint angles last read. Nothing if the handle does not turn or those angles were missing.
     [[nodiscard]] virtual std::optional<double> handle_angle_rad() const { return std::nullopt; }

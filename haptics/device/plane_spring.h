@@ -4,19 +4,9 @@
 #pragma once
 
 #include "config/types/vec2.h"
+#include "haptics/pantograph/profile.h"
 
 namespace touchline {
-
-struct PlaneSpring {
-    double stiffness_N_per_m = 400.0;  // > 0
-    double damping_Ns_per_m = 2.0;     // >= 0
-    double most_N = 1.5;               // of the spring, and of both together, > 0
-    double limit_N = 3.0;              // of both forces together: the device's, > 0
-    double on_plane_m = 0.004;         // all of the plane's force up to here, either side ...
-    double off_plane_m = 0.010;        // ... none from here on, > on_plane_m
-    double held_m = 0.020;             // all of what holds it to the plane up to here ...
-    double let_go_m = 0.030;           // ... none from here on, > held_m
-};
 
 struct PlaneForce {
     Force in_plane_D;
@@ -28,13 +18,13 @@ struct PlaneForce {
 [[nodiscard]] double share_on_plane(const PlaneSpring& spring, double off_m);
 
 /// Returns what the device is to make of the force that the chain told, for a handle `off_m` from
-/// the plane along its normal, at `speed_m_per_s` away from there. `share` is
-/// DeviceCommand::plane_share. |across| <= share * most_N, and both together are at most limit_N:
-/// the plane's force gives way. It is also at most share_on_plane() of the limit, for the chain may
-/// be late by its slew. At a share of 0, and from let_go_m on, nothing acts across; above
-/// braked_m_per_s nothing drives across. A number that is not finite, or a share outside 0 ... 1,
-/// gives no force at all.
-[[nodiscard]] PlaneForce held_to_plane(const PlaneSpring& spring, Force told_D, double off_m,
+/// the plane along its normal, at `speed_m_per_s` away from there. `profile` is a Cartesian one;
+/// `share` is DeviceCommand::plane_share. |across| <= share * the spring's most_N, and both
+/// together are at most the profile's force limit: the plane's force gives way. It is also at most
+/// share_on_plane() of the limit, for the chain may be late by its slew. At a share of 0, and from
+/// let_go_m on, nothing acts across; above braked_m_per_s nothing drives across. A number that is
+/// not finite, or a share outside 0 ... 1, gives no force at all.
+[[nodiscard]] PlaneForce held_to_plane(const DeviceProfile& profile, Force told_D, double off_m,
                                        double speed_m_per_s, double share);
 
 }  // namespace touchline

@@ -155,17 +155,21 @@ constexpr DeviceProfile of_three_axes(std::string_view name, const Area& area, P
     return profile;
 }
 
+// A handle of the inverse3's mass that is let go at any height comes down slower than what the
+// chain brakes. Its size leaves room for the plane's force below the limit.
+constexpr PlaneSpring plane_spring{400.0, 2.0, 1.5, 0.004, 0.010, 0.020, 0.030};
+
 // Not sold by anyone. Mechanics: between those of the five-bars and what a device with three axes
 // and gears may have.
-constexpr DeviceProfile made_up_cartesian =
-    of_three_axes("cartesian", Area{0.116, 0.084}, Position{0.0, 0.15},
-                  MechanicsProfile{0.10, 0.3, 0.10, 1e-3}, CartesianDevice{2e-5, 1.8});
+constexpr DeviceProfile made_up_cartesian = of_three_axes(
+    "cartesian", Area{0.116, 0.084}, Position{0.0, 0.15}, MechanicsProfile{0.10, 0.3, 0.10, 1e-3},
+    CartesianDevice{2e-5, 1.8, plane_spring});
 
 // The drawing area lies about the middle of the arm's reach, in which the maker's programs send the
 // handle 0.10 m around; all its corners are nearer. The maker publishes no mechanics: estimates.
-constexpr DeviceProfile inverse3 =
-    of_three_axes("inverse3", Area{0.160, 0.100}, Position{0.0, 0.12},
-                  MechanicsProfile{0.15, 0.3, 0.10, 2e-3}, CartesianDevice{5e-5, 1.5});
+constexpr DeviceProfile inverse3 = of_three_axes(
+    "inverse3", Area{0.160, 0.100}, Position{0.0, 0.12}, MechanicsProfile{0.15, 0.3, 0.10, 2e-3},
+    CartesianDevice{5e-5, 1.5, plane_spring});
 
 constexpr std::array cartesians{made_up_cartesian, inverse3};
 

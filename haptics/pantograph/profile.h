@@ -62,10 +62,23 @@ struct CheckStop {
     StopPlace place = StopPlace::towards;
 };
 
+/// What holds the handle of a device with three axes to the drawing plane, and where the force in
+/// the plane ends (haptics/device/plane_spring.h). All 0: there is no force at all.
+struct PlaneSpring {
+    double stiffness_N_per_m = 0.0;
+    double damping_Ns_per_m = 0.0;
+    double most_N = 0.0;       // of spring and damping together
+    double on_plane_m = 0.0;   // all of the plane's force up to here, either side ...
+    double off_plane_m = 0.0;  // ... none from here on, > on_plane_m
+    double held_m = 0.0;       // all of what holds it to the plane up to here ...
+    double let_go_m = 0.0;     // ... none from here on, > held_m
+};
+
 /// A device that tells places and takes forces, and keeps its arms, encoders and motors to itself.
 struct CartesianDevice {
     double step_m = 1e-4;       // the smallest motion that it tells, > 0
     double continuous_N = 1.0;  // the force that it bears forever, > 0
+    PlaneSpring spring;
 };
 
 /// Of a Cartesian device links, counts, torque limit, home, wiring and stops mean nothing.

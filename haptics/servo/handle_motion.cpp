@@ -12,6 +12,7 @@ constexpr double most_ahead_rad = 0.35;
 // How far the positions' velocity may be off: a hand that changes it by 10 m/s^2 is seen 5 ms late.
 constexpr double unsure_m_per_s = 0.05;
 constexpr double unsure_share = 0.25;
+constexpr double most_late_s = 0.0045;  // no device tells an older place
 
 /// One axis: the slopes that keep every sample looked at so far within the noise, and the slope of
 /// the longest line that did.
@@ -88,16 +89,21 @@ HandleMotion::HandleMotion(const DeviceProfile& profile)
       velocity_(encoder_step_m(profile)),
       turn_(count_of(profile.handle)) {}
 
-/// Where the handle is, or was a few ticks ago: a jump is not believed at once.
+/// Where the handle is, or was a few ticks ago: a jump is not believed at once. A place that was
+/// late may be older than it seems, and the way to the next one then took longer.
 void HandleMotion::judge(const StepInput& input, HandleReading& handle) {
     const bool is_told = input.reading && input.reading->p_D && is_finite(*input.reading->p_D);
-    if (!is_told || !input.reading->is_new) {
+    if (!is_told || !input.reading->freshness.is_new) {
         guard_.miss(handle.dt_s);
         handle.is_placed = is_told && p_DH_.has_value();
         if (handle.is_placed) handle.jacobian = jacobian_;
         return;
     }
-    const Sample sample = guard_.step(*input.reading->p_D, handle.dt_s);
+    const double late_s = input.reading->freshness.late_s;
+    const double more_s = std::clamp(late_s_ - late_s, 0.0, most_late_s);  // NaN stays
+    late_s_ = late_s;
+    unseen_s_ += more_s;
+    const Sample sample = guard_.step(*input.reading->p_D, handle.dt_s + more_s);
     if (sample != Sample::held) {
         p_DH_ = input.reading->p_D;
         jacobian_ = input.reading->jacobian;
@@ -129,7 +135,8 @@ HandleReading HandleMotion::step(const DeviceProfile& profile, const StepInput& 
         const Position before = p_WH_;
         p_WH_ = picture_from_device(profile, *p_DH_);
         handle.moved = p_WH_ - before;
-        if (input.reading->is_new) (void)velocity_.step(p_WH_, std::exchange(unseen_s_, 0.0));
+        if (input.reading->freshness.is_new)
+            (void)velocity_.step(p_WH_, std::exchange(unseen_s_, 0.0));
         turn_.step(input.reading->handle_rad, input.commands.turn_rad,
                    shape_rad.value_or(turn_.angle_rad()), dt_s);
     }

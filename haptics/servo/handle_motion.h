@@ -120,8 +120,9 @@ class HandleMotion {
     /// that does not turn, the angle follows the commands, near the held shape at `shape_rad`. A
     /// velocity that the device measured is taken if the positions bear it out to a quarter and
     /// 0.05 m/s, else that of the positions. A place that is not new tells nothing: the handle is
-    /// where it was, and guard and velocity take the next one for as much older. One that is not
-    /// finite is none.
+    /// where it was, and guard and velocity take the next one for as much older. One that was late
+    /// may be older than it seems, so the way to the next one counts as longer by what that is less
+    /// late: no hand is seen faster than it was. One that is not finite is none.
     [[nodiscard]] HandleReading step(const DeviceProfile& profile, const StepInput& input,
                                      std::optional<double> shape_rad, double period_s, double dt_s);
 
@@ -139,6 +140,7 @@ class HandleMotion {
     VelocityEstimate velocity_;
     HandleTurn turn_;
     double unseen_s_ = 0.0;  // since the newest place came, in ticks that are placed
+    double late_s_ = 0.0;    // of that place
     Position p_WH_;          // last known
 };
 

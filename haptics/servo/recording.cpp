@@ -34,7 +34,7 @@ class Hash {
 };
 
 // Name every member added in tick() or command_fields(); otherwise a run cannot be repeated.
-static_assert(sizeof(StepInput) == sizeof(ServoCommands) + 216);
+static_assert(sizeof(StepInput) == sizeof(ServoCommands) + 224);
 
 template <class Bytes, class Vector>
 void vector(Bytes& bytes, Vector& v) {
@@ -75,7 +75,8 @@ void reading(Bytes& bytes, Reading& told) {
     });
     optional(bytes, told.handle_rad, [](auto& f, auto& angle_rad) { f.number(angle_rad); });
     vector(bytes, told.joints);
-    bytes.flag(told.is_new);
+    bytes.flag(told.freshness.is_new);
+    bytes.number(told.freshness.late_s);
 }
 
 /// A tick's outputs.

@@ -17,8 +17,8 @@ struct DeviceCommandOptions {
     DeviceAction action = DeviceAction::list;
     std::string serial;   // the unit's; empty: the only one plugged in
     std::string profile;  // empty: as stored; a different kind discards what is stored for the unit
-    std::string make =
-        {};  // as the setting device.make; empty: list and stop take all, others the first
+    // As the setting device.make; empty: list and stop take all, others the first.
+    std::string make = {};
     std::string port = {};  // as the setting device.port
 };
 

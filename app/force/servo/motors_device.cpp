@@ -35,6 +35,8 @@ class WatchedMotors final : public JointDevice {
         return has_lost_place_ ? std::nullopt : angles;
     }
 
+    [[nodiscard]] Freshness freshness() const override { return motors_->freshness(); }
+
     [[nodiscard]] bool write_torques(JointTorques torques) override {
         return motors_->write_torques(torques);
     }

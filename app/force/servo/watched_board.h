@@ -53,6 +53,8 @@ class WatchedBoard final : public JointDevice {
 
     [[nodiscard]] std::optional<JointAngles> read_angles(double now_s) override;
 
+    [[nodiscard]] Freshness freshness() const override { return board_.freshness(); }
+
     [[nodiscard]] std::optional<double> handle_angle_rad() const override {
         return has_lost_place_ ? std::nullopt : board_.handle_angle_rad();
     }

@@ -89,7 +89,7 @@ bool PantographBoard::end_in_zero() {
         judge_send();
         clear_stall();
         if (holds_zero_) return true;
-        if (is_send_free() && send(zero_command())) ++owed_;
+        if (is_send_free() && send(zero_command())) owe_a_reply();
         link_->rest(pause_s);
         sending_.age_s += pause_s;
     }
@@ -102,6 +102,7 @@ std::optional<JointAngles> PantographBoard::read_angles(double now_s) {
     if (report_.state == BoardState::closed || report_.state == BoardState::lost)
         return std::nullopt;
     raw_age_s_ += elapsed_s;
+    freshness_.is_new = false;
     sending_.age_s += elapsed_s;
     clear_stall();
     judge_send();
@@ -143,8 +144,13 @@ bool PantographBoard::write_torques(JointTorques torques) {
         start_resync(Rung::settle);
         return false;
     }
-    ++owed_;
+    owe_a_reply();
     return is_zero ? holds_zero_ : is_passed_on;
+}
+
+void PantographBoard::owe_a_reply() {
+    ++owed_;
+    asked_.ask(last_s_.value_or(0.0));
 }
 
 void PantographBoard::set_calibration(const Calibration& calibration) {
@@ -271,6 +277,7 @@ void PantographBoard::judge_position(const Said& raw) {
         steady_ = raw_ ? followed(steady_, raw.joints, frame_.quantum()) : raw.joints;
         raw_ = raw;
         raw_age_s_ = 0.0;
+        freshness_ = {true, asked_.late_s(static_cast<std::uint64_t>(std::max(owed_, 0)))};
         jumps_in_a_row_ = 0;
         return;
     }
@@ -283,7 +290,7 @@ void PantographBoard::judge_position(const Said& raw) {
 
 bool PantographBoard::is_jump(const Said& raw) const {
     if (!raw_) return false;
-    const double age_s = jumps_in_a_row_ == 0 ? raw_age_s_ : jump_age_s_;
+    const double age_s = (jumps_in_a_row_ == 0 ? raw_age_s_ : jump_age_s_) + freshness_.late_s;
     if (frame_.has_handle()) {
         const double turned_rad = radians(std::abs(raw.handle_deg - raw_->handle_deg));
         const double span_s = age_s + sampling_s;

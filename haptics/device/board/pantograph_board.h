@@ -6,6 +6,7 @@
 
 #include "config/types/calibration.h"
 #include "config/types/result.h"
+#include "haptics/device/asked_times.h"
 #include "haptics/device/board/board_frame.h"
 #include "haptics/device/board/board_link.h"
 #include "haptics/device/joint_device.h"
@@ -138,6 +139,8 @@ class PantographBoard final : public JointDevice {
     /// have no next tick.
     bool end_in_zero();
 
+    [[nodiscard]] Freshness freshness() const override { return freshness_; }
+
     [[nodiscard]] std::optional<double> handle_angle_rad() const override;
 
     void turn_handle(double torque_Nm) override;
@@ -186,6 +189,7 @@ class PantographBoard final : public JointDevice {
     [[nodiscard]] Command zero_command() const;
     bool send(const Command& command);
     void note(LinkStatus status);
+    void owe_a_reply();
 
     [[nodiscard]] bool is_send_free() const { return sending_.size == 0 && !is_stalled_; }
 
@@ -207,6 +211,8 @@ class PantographBoard final : public JointDevice {
     double handle_Nm_ = 0.0;        // goes with the next write
     std::optional<double> last_s_;  // on the caller's clock
     double raw_age_s_ = 0.0;        // since raw_ came
+    Freshness freshness_;           // of raw_
+    AskedTimes asked_;              // a reply is to the oldest write that is owed one
     double owed_age_s_ = 0.0;       // since every reply was last in
     int owed_ = 0;                  // replies
     int jumps_in_a_row_ = 0;

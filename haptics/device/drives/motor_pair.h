@@ -41,8 +41,10 @@ struct MotorTrouble {
 struct PairNews {
     PairState state = PairState::setting_up;
     std::optional<ShaftTurns> turns;  // newer than any before, of one moment; finite
+    double late_s = 0.0;              // of the turns, as Freshness
     bool is_held_zero = false;  // both confirmed that they hold zero torque or let their motors go,
                                 // and nothing else was sent since
+    bool is_let_go = false;     // both confirmed that their motors are let go, after let_go()
     std::uint64_t wrong = 0;    // what came that was no answer, since the pair was made
 };
 
@@ -53,7 +55,8 @@ inline constexpr double watchdog_s = 0.02;
 class MotorPair : public Interface {
   public:
     /// Begins to arm both controllers: motors let go, watchdog set and read back, faults cleared,
-    /// then zero torque. Whatever was under way is forgotten.
+    /// then zero torque. A fault that came since the pair was ready is told (refused) and not
+    /// cleared unseen. Whatever was under way is forgotten.
     virtual void set_up() = 0;
 
     /// Takes what has come; elapsed_s >= 0 since the step before.

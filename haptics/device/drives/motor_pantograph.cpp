@@ -55,42 +55,45 @@ void MotorPantograph::tick_at_rest() {
 
 // States do not matter any more; only what the controllers confirm does. Ages go on, for a driver
 // that was at work may be read again.
-bool MotorPantograph::wait_for_zero(int longest_ms) {
+bool MotorPantograph::wait_for(bool PairNews::*confirmed, int longest_ms) {
     is_held_zero_ = false;
-    for (int i = 0; i < longest_ms && !is_held_zero_; ++i) {
+    for (int i = 0; i < longest_ms; ++i) {
         (void)pair_->tell({});
         pair_->rest(pause_s);
         const PairNews news = pair_->step(pause_s);
-        if (news.state == PairState::gone) break;
+        if (news.state == PairState::gone) return false;
         is_held_zero_ = news.is_held_zero;
         if (last_s_) *last_s_ += pause_s;
         angles_age_s_ += pause_s;
         answer_age_s_ += pause_s;
-        if (report_.state == DriveState::ready && news.turns) take(*news.turns);
+        if (report_.state == DriveState::ready && news.turns) take(*news.turns, news.late_s);
+        if (news.*confirmed) return true;
     }
-    return is_held_zero_;
+    return false;
 }
 
 bool MotorPantograph::end_in_zero() {
     if (!pair_ || report_.state == DriveState::closed) return false;
-    if (report_.state == DriveState::ready && wait_for_zero(longest_zero_ms)) return true;
+    if (report_.state == DriveState::ready && wait_for(&PairNews::is_held_zero, longest_zero_ms))
+        return true;
     pair_->let_go();
-    return wait_for_zero(longest_end_ms);
+    return wait_for(&PairNews::is_let_go, longest_end_ms);
 }
 
 bool MotorPantograph::stop() {
     if (!pair_) return false;
     pair_->let_go();
-    const bool is_zero = wait_for_zero(longest_end_ms);
+    const bool is_let_go = wait_for(&PairNews::is_let_go, longest_end_ms);
     pair_.reset();
-    report_.state = is_zero ? DriveState::closed : DriveState::lost;
-    return is_zero;
+    report_.state = is_let_go ? DriveState::closed : DriveState::lost;
+    return is_let_go;
 }
 
 std::optional<JointAngles> MotorPantograph::read_angles(double now_s) {
     const double elapsed_s = last_s_ && now_s > *last_s_ ? now_s - *last_s_ : 0.0;
     if (std::isfinite(now_s)) last_s_ = now_s;
     if (!pair_ || report_.state == DriveState::closed) return std::nullopt;
+    freshness_.is_new = false;
     angles_age_s_ += elapsed_s;
     answer_age_s_ += elapsed_s;
     set_up_age_s_ += elapsed_s;
@@ -151,18 +154,18 @@ void MotorPantograph::follow(const PairNews& news) {
     } else if (news.state == PairState::astray) {
         begin_set_up();
     } else if (news.state == PairState::ready && news.turns) {
-        take(*news.turns);
+        take(*news.turns, news.late_s);
     } else if (report_.state == DriveState::ready) {
         ++report_.late;
     }
 }
 
 // A set-up ends with the first turns.
-void MotorPantograph::take(ShaftTurns turns) {
+void MotorPantograph::take(ShaftTurns turns, double late_s) {
     ++report_.replies;
     answer_age_s_ = 0.0;
     if (!whole_) whole_ = turns - frame_.nearest_the_middle(turns);
-    judge_position(frame_.joint_angles(turns - *whole_));
+    judge_position(frame_.joint_angles(turns - *whole_), late_s);
     if (report_.state != DriveState::setting_up) return;
     attempts_ = 0;
     report_.state = has_jumped_ ? DriveState::jumped : DriveState::ready;
@@ -170,11 +173,12 @@ void MotorPantograph::take(ShaftTurns turns) {
         report_.is_position_doubtful = true;
 }
 
-void MotorPantograph::judge_position(JointAngles angles) {
+void MotorPantograph::judge_position(JointAngles angles, double late_s) {
     if (has_jumped_) return;
-    const double age_s = jumps_in_a_row_ == 0 ? angles_age_s_ : jump_age_s_;
+    const double age_s = (jumps_in_a_row_ == 0 ? angles_age_s_ : jump_age_s_) + freshness_.late_s;
     if (!angles_ || can_a_hand_move(frame_.profile(), *angles_, angles, age_s)) {
         angles_ = angles;
+        freshness_ = {true, late_s};
         angles_age_s_ = 0.0;
         jumps_in_a_row_ = 0;
         return;

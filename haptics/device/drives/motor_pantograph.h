@@ -1,6 +1,6 @@
 // A pantograph whose two motors have controllers of their own: the driver over any MotorPair. It
 // writes once at the end of a tick and reads the answers at the next. If anything goes wrong, the
-// motors are let go first, and no angles are given until both controllers were armed anew. If this
+// torque goes first, and no angles are given until both controllers were armed anew. If this
 // computer dies, the controllers' own watchdogs let the motors go (motor_pair.h, watchdog_s).
 #pragma once
 
@@ -51,19 +51,23 @@ class MotorPantograph final : public JointDevice {
     /// most 4 ms after the tick in which the answer came.
     [[nodiscard]] std::optional<JointAngles> read_angles(double now_s) override;
 
+    [[nodiscard]] Freshness freshness() const override { return freshness_; }
+
     /// Scales torques to the limit. For zero, returns true once both controllers confirmed that
     /// they hold it, so two ticks after the first at the earliest. For other torques, returns false
     /// if they could not be passed on. A torque that is not finite counts as zero and is reported.
     [[nodiscard]] bool write_torques(JointTorques torques) override;
 
-    /// Writes zeros until both controllers have confirmed them, or lets the motors go if that is
-    /// not to be had. Takes some milliseconds, or 70 before it gives up; then their watchdogs have
-    /// let go. For callers that have no next tick.
+    /// Writes zeros until both controllers are known to hold zero torque: they confirmed a zero,
+    /// and nothing else was sent since, which may have been so before. If that is not to be had,
+    /// lets the motors go until both have confirmed that. Takes a millisecond or more, or 70 before
+    /// it gives up; then their watchdogs have let go. For callers that have no next tick.
     bool end_in_zero();
 
-    /// Lets the motors go, has that confirmed and gives the device back. Also works for controllers
-    /// that another program drove. Takes some milliseconds, or 50 before it gives up. Nothing is
-    /// read or written afterwards.
+    /// Lets the motors go and gives the device back. Returns true if both controllers confirmed,
+    /// after they were told to, that their motors are let go. Also works for controllers that
+    /// another program drove. Takes some milliseconds, or 50 before it gives up. Nothing is read or
+    /// written afterwards.
     bool stop();
 
     /// After `jumped`, or in doubt: takes the angles as they are. Call it only with the force off.
@@ -80,11 +84,11 @@ class MotorPantograph final : public JointDevice {
     void begin_set_up();
     void begin_arming();
     void follow(const PairNews& news);
-    void take(ShaftTurns turns);
-    void judge_position(JointAngles angles);
+    void take(ShaftTurns turns, double late_s);
+    void judge_position(JointAngles angles, double late_s);
     void judge_age();
     void tick_at_rest();
-    bool wait_for_zero(int longest_ms);
+    bool wait_for(bool PairNews::*confirmed, int longest_ms);
 
     std::unique_ptr<MotorPair> pair_;
     DriveFrame frame_;
@@ -92,6 +96,7 @@ class MotorPantograph final : public JointDevice {
     std::optional<ShaftTurns> whole_;    // turns left out; nothing: not known since the set-up
     std::optional<JointAngles> angles_;  // last accepted
     std::optional<double> last_s_;       // on the caller's clock
+    Freshness freshness_;                // of these
     double angles_age_s_ = 0.0;
     double answer_age_s_ = 0.0;  // of the newest turns, accepted or not
     double set_up_age_s_ = 0.0;

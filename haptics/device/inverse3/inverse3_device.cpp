@@ -1,6 +1,5 @@
 #include "haptics/device/inverse3/inverse3_device.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -18,12 +17,6 @@ Position seen_from_above(Space place_m) {
 }
 
 }  // namespace
-
-Inverse3Device::Inverse3Device(std::unique_ptr<Inverse3Link> link, const DeviceProfile& profile,
-                               const PlaneSpring& spring)
-    : link_(std::move(link)), profile_(profile), spring_(spring) {
-    spring_.limit_N = std::min(spring_.limit_N, profile_.force_limit_N);
-}
 
 Inverse3Device::~Inverse3Device() {
     (void)stop();
@@ -47,11 +40,11 @@ std::optional<DeviceReading> Inverse3Device::read(double now_s) {
         return std::nullopt;
     }
     DeviceReading reading;
-    reading.is_new = std::exchange(handed_over_, news.places) != news.places;
+    reading.freshness = {std::exchange(handed_over_, news.places) != news.places, news.way_s};
     reading.p_D = seen_from_above(news.place_m);
     if (const auto& v = news.velocity_m_per_s) reading.velocity_D = Velocity{-v->x, -v->y};
-    reading.off_plane =
-        OffPlane{off_m_, off_m_per_s_, share_on_plane(spring_, off_m_), told_.force_N.z};
+    reading.off_plane = OffPlane{
+        off_m_, off_m_per_s_, share_on_plane(profile_.cartesian->spring, off_m_), told_.force_N.z};
     return reading;
 }
 
@@ -79,7 +72,7 @@ bool Inverse3Device::write(const DeviceCommand& command) {
     const bool is_taken = report_.state == ArmState::ready;
     PlaneForce held;
     if (!is_zero && is_taken)
-        held = held_to_plane(spring_, command.force_D, off_m_, off_m_per_s_, command.plane_share);
+        held = held_to_plane(profile_, command.force_D, off_m_, off_m_per_s_, command.plane_share);
     tell({-held.in_plane_D.x, -held.in_plane_D.y, held.across_N});
     return is_zero ? holds_zero() : is_taken;
 }

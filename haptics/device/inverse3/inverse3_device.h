@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace touchline {
 
@@ -34,8 +35,10 @@ struct ArmReport {
 /// Threads: as ForceDevice. Only end_in_zero(), stop() and the destructor wait.
 class Inverse3Device final : public ForceDevice {
   public:
-    Inverse3Device(std::unique_ptr<Inverse3Link> link, const DeviceProfile& profile,
-                   const PlaneSpring& spring = {});
+    /// `profile` is a Cartesian one.
+    Inverse3Device(std::unique_ptr<Inverse3Link> link, const DeviceProfile& profile)
+        : link_(std::move(link)), profile_(profile) {}
+
     /// Calls stop().
     ~Inverse3Device() override;
 
@@ -70,7 +73,6 @@ class Inverse3Device final : public ForceDevice {
 
     std::unique_ptr<Inverse3Link> link_;
     DeviceProfile profile_;
-    PlaneSpring spring_;
     ArmReport report_;
     ArmNews news_;
     std::uint64_t handed_over_ = 0;  // the number of the place told last

@@ -77,7 +77,7 @@ void Inverse3Session::hear(std::string_view text, double now_s) {
     if (frame && !arm_) choose(*frame, now_s);
     const ArmInFrame* const arm = frame && arm_ ? frame->find(*arm_) : nullptr;
     if (arm != nullptr) {
-        follow(*arm);
+        follow(*arm, now_s);
     } else {
         ++news_.no_news;
     }
@@ -143,7 +143,7 @@ void Inverse3Session::choose(const ServiceFrame& frame, double now_s) {
     quiet_until_s_ = now_s + settling_s;
 }
 
-void Inverse3Session::follow(const ArmInFrame& arm) {
+void Inverse3Session::follow(const ArmInFrame& arm, double now_s) {
     take(status_.has_power, arm.status.has_power);
     take(status_.is_calibrated, arm.status.is_calibrated);
     take(status_.is_ready, arm.status.is_ready);
@@ -158,6 +158,7 @@ void Inverse3Session::follow(const ArmInFrame& arm) {
     ++news_.places;
     news_.place_m = *arm.place_m;
     news_.velocity_m_per_s = arm.velocity_m_per_s;
+    news_.way_s = now_s - sent_s_;
 }
 
 Result<void> Inverse3Session::readiness() const {

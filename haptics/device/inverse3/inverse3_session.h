@@ -29,6 +29,7 @@ struct ArmNews {
     std::uint64_t places = 0;  // told so far, of which the newest is:
     Space place_m;
     std::optional<Space> velocity_m_per_s;
+    double way_s = 0.0;  // from the command to its answer with this place, somewhere between
     Hindrance hindrance = Hindrance::none;
     std::uint64_t answered = 0;  // the number of the newest command that was answered
     bool applies_none = false;   // the service says that it applies no force, or does not say
@@ -74,7 +75,7 @@ class Inverse3Session {
     [[nodiscard]] CommandText ask(double now_s);
     [[nodiscard]] CommandText command(const WantedArmForce& wanted, double now_s);
     void choose(const ServiceFrame& frame, double now_s);
-    void follow(const ArmInFrame& arm);
+    void follow(const ArmInFrame& arm, double now_s);
 
     std::string wanted_;
     std::optional<ArmName> arm_;

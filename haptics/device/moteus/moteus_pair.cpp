@@ -45,15 +45,15 @@ void MoteusPair::Console::put(char byte) {
 }
 
 void MoteusPair::set_up() {
-    state_ = PairState::setting_up;
-    trouble_ = {};
+    verdict_.set_up();
     is_let_go_ = false;
     is_heard_ = {};
     unknown_in_a_row_ = 0;
-    go(Stage::stop);
+    go(verdict_.may_clear() ? Stage::stop : Stage::look);
 }
 
 void MoteusPair::let_go() {
+    verdict_.let_go();
     is_let_go_ = true;
     go(Stage::stop);
 }
@@ -68,11 +68,11 @@ void MoteusPair::go(Stage stage) {
 PairNews MoteusPair::step(double elapsed_s) {
     stage_s_ += elapsed_s;
     asked_s_ += elapsed_s;
-    turns_.reset();
+    verdict_.step(elapsed_s);
     while (const auto frame = link_->receive()) take(*frame);
     if (stage_ == Stage::set_mode || stage_ == Stage::read_mode) read_consoles();
-    if (link_->is_gone()) state_ = PairState::gone;
-    return {state_, turns_, held_zero_ >= zero_since_, wrong_};
+    if (link_->is_gone()) verdict_.lose();
+    return verdict_.news();
 }
 
 void MoteusPair::take(const CanFrame& frame) {
@@ -84,17 +84,17 @@ void MoteusPair::take(const CanFrame& frame) {
                           question_of(open->number) == answer.from.question &&
                           !open->is_answered[motor];
     if (!is_known || answer.kind == MoteusAnswer::Kind::wrong) {
-        ++wrong_;
+        verdict_.hear_wrong();
         return;
     }
     if (answer.kind == MoteusAnswer::Kind::unknown_register) {
-        ++wrong_;
+        verdict_.hear_wrong();
         if (stage_ == Stage::enable && ++unknown_in_a_row_ >= most_unknown_in_a_row)
             doubt(MotorTrouble::Kind::too_old, motor_number(motor));
         return;
     }
-    if ((answer.kind == MoteusAnswer::Kind::console) != open->is_console) {
-        ++wrong_;
+    if ((answer.kind == MoteusAnswer::Kind::console) != open->is_console()) {
+        verdict_.hear_wrong();
         return;
     }
     is_heard_[motor] = true;
@@ -108,7 +108,7 @@ void MoteusPair::take(const CanFrame& frame) {
 void MoteusPair::complete(const Exchange& exchange) {
     if (exchange.number <= answered_) return;
     answered_ = exchange.number;
-    if (exchange.is_console) {
+    if (exchange.is_console()) {
         if (stage_ == Stage::drain && exchange.is_text_empty) go(Stage::set_mode);
         return;
     }
@@ -116,15 +116,29 @@ void MoteusPair::complete(const Exchange& exchange) {
         return is_in(said, MoteusMode::stopped) || is_in(said, MoteusMode::fault) ||
                (is_in(said, MoteusMode::position) && is_read_back(0.0, said.torque_Nm));
     };
-    if (std::ranges::all_of(exchange.status, has_no_torque)) held_zero_ = exchange.number;
-    if (stage_ == Stage::ready)
-        follow(exchange);
-    else if (stage_ == Stage::enable)
-        enable(exchange);
-    else if (stage_ == Stage::stop && !is_let_go_ &&
-             is_in(exchange.status[0], MoteusMode::stopped) &&
-             is_in(exchange.status[1], MoteusMode::stopped))
-        go(Stage::drain);
+    const bool are_stopped = std::ranges::all_of(
+        exchange.status, [](const MoteusStatus& said) { return is_in(said, MoteusMode::stopped); });
+    if (std::ranges::all_of(exchange.status, has_no_torque)) verdict_.hear_zero(exchange.number);
+    if (are_stopped) verdict_.hear_let_go(exchange.number);
+    if (stage_ == Stage::ready) return follow(exchange);
+    if (stage_ == Stage::enable) return enable(exchange);
+    // What was asked before tells nothing of a fault that came since.
+    if (exchange.stage != stage_ || is_let_go_) return;
+    if (!verdict_.may_clear() && tells_fault(exchange)) return;
+    if (stage_ == Stage::look) return go(Stage::stop);
+    if (stage_ == Stage::stop && are_stopped) go(Stage::drain);
+}
+
+// Of two faults at once the first is told.
+bool MoteusPair::tells_fault(const Exchange& exchange) {
+    for (std::size_t motor = 0; motor < 2; ++motor) {
+        const MoteusStatus& said = exchange.status[motor];
+        if (!is_in(said, MoteusMode::fault)) continue;
+        verdict_.refuse({MotorTrouble::Kind::fault, motor_number(motor), said.fault});
+        let_go();
+        return true;
+    }
+    return false;
 }
 
 bool MoteusPair::is_followed(const Exchange& exchange, std::size_t motor) const {
@@ -134,31 +148,23 @@ bool MoteusPair::is_followed(const Exchange& exchange, std::size_t motor) const 
 }
 
 void MoteusPair::follow(const Exchange& exchange) {
-    for (std::size_t motor = 0; motor < 2; ++motor) {
-        const MoteusStatus& said = exchange.status[motor];
-        if (is_in(said, MoteusMode::fault))
-            return refuse(MotorTrouble::Kind::fault, motor_number(motor), said.fault);
-        if (is_followed(exchange, motor)) continue;
-        state_ = PairState::astray;
-        return go(Stage::stop);
-    }
-    turns_ = ShaftTurns{exchange.status[0].turns, exchange.status[1].turns};
+    if (tells_fault(exchange)) return;
+    if (!is_followed(exchange, 0) || !is_followed(exchange, 1)) return go_astray();
+    verdict_.hear_turns(exchange.number, {exchange.status[0].turns, exchange.status[1].turns});
 }
 
 // A controller measures its currents before it follows, and says so by its modes meanwhile.
 void MoteusPair::enable(const Exchange& exchange) {
+    if (tells_fault(exchange)) return;
     for (std::size_t motor = 0; motor < 2; ++motor) {
         const MoteusStatus& said = exchange.status[motor];
-        if (is_in(said, MoteusMode::fault))
-            return refuse(MotorTrouble::Kind::fault, motor_number(motor), said.fault);
         if (!is_read_back(watchdog_s, said.watchdog_s))
             return doubt(MotorTrouble::Kind::watchdog_not_set, motor_number(motor));
         if (!is_in(said, MoteusMode::position)) return;
     }
     if (!is_followed(exchange, 0) || !is_followed(exchange, 1)) return;
     are_absolute_ = exchange.status[0].home != 0 && exchange.status[1].home != 0;
-    doubts_ = 0;
-    state_ = PairState::ready;
+    verdict_.be_ready();
     go(Stage::ready);
     follow(exchange);
 }
@@ -182,19 +188,15 @@ void MoteusPair::read_consoles() {
     go(stage_ == Stage::set_mode ? Stage::read_mode : Stage::enable);
 }
 
-// A line that was lost or garbled reads back like a controller that cannot; twice is no accident.
-void MoteusPair::doubt(MotorTrouble::Kind kind, int motor, std::uint32_t code) {
-    if (doubts_++ > 0) return refuse(kind, motor, code);
-    state_ = PairState::astray;
-    go(Stage::stop);
+// The motors stay let go until somebody sets up anew.
+void MoteusPair::go_astray() {
+    verdict_.go_astray();
+    let_go();
 }
 
-void MoteusPair::refuse(MotorTrouble::Kind kind, int motor, std::uint32_t code) {
-    doubts_ = 0;
-    state_ = PairState::refused;
-    trouble_ = {kind, motor, code};
-    is_let_go_ = true;
-    go(Stage::stop);
+void MoteusPair::doubt(MotorTrouble::Kind kind, int motor, std::uint32_t code) {
+    verdict_.doubt({kind, motor, code});
+    let_go();
 }
 
 CanFrame MoteusPair::frame_for(MoteusAddress address, double torque_Nm) const {
@@ -207,6 +209,7 @@ CanFrame MoteusPair::frame_for(MoteusAddress address, double torque_Nm) const {
         case Stage::read_mode:
             return is_asking_ ? moteus_console(address, read_mode_text)
                               : moteus_console_poll(address);
+        case Stage::look:  // a fault stays; only a stop clears it
         case Stage::enable:
         case Stage::ready:
             return moteus_torque(address, torque_Nm, watchdog_s);
@@ -218,12 +221,10 @@ CanFrame MoteusPair::frame_for(MoteusAddress address, double torque_Nm) const {
 bool MoteusPair::tell(ShaftTorques torques) {
     const ShaftTorques told = stage_ == Stage::ready ? torques : ShaftTorques{};
     Exchange exchange;
-    exchange.number = ++asked_;
+    exchange.number = verdict_.tell(told != ShaftTorques{});
+    exchange.stage = stage_;
     exchange.torque_Nm = {told.x, told.y};
-    exchange.is_console =
-        stage_ == Stage::drain || stage_ == Stage::set_mode || stage_ == Stage::read_mode;
-    if (told != ShaftTorques{}) zero_since_ = asked_ + 1;
-    const std::uint8_t question = question_of(asked_);
+    const std::uint8_t question = question_of(exchange.number);
     open_[question % most_open] = exchange;
     bool is_sent = true;
     for (std::size_t motor = 0; motor < 2; ++motor) {
@@ -235,9 +236,7 @@ bool MoteusPair::tell(ShaftTorques torques) {
 }
 
 MotorTrouble MoteusPair::trouble() const {
-    if (trouble_.kind != MotorTrouble::Kind::none || state_ == PairState::ready) return trouble_;
-    const int silent = is_heard_[0] ? (is_heard_[1] ? 0 : 2) : 1;
-    return {MotorTrouble::Kind::silent, silent, 0};
+    return verdict_.trouble(is_heard_[0] ? (is_heard_[1] ? 0 : 2) : 1);
 }
 
 }  // namespace touchline

@@ -1,10 +1,11 @@
 // Two moteus controllers on one CAN bus as a MotorPair. Every command carries the watchdog and the
 // number of its question; every answer tells the torque and the watchdog that were understood.
 //
-//   stop --> drain --> set the time-out mode --> read it back --> enable --> ready
+//   look for faults --> stop --> drain --> set the time-out mode --> read it back --> enable -->
+//   ready
 #pragma once
 
-#include "haptics/device/drives/motor_pair.h"
+#include "haptics/device/drives/pair_verdict.h"
 #include "haptics/device/moteus/frame_link.h"
 #include "haptics/device/moteus/moteus_frames.h"
 
@@ -40,16 +41,20 @@ class MoteusPair final : public MotorPair {
 
   private:
     /// In the order of a set-up. stop stays where the motors are let go or the pair is refused.
-    enum class Stage : std::uint8_t { stop, drain, set_mode, read_mode, enable, ready };
+    enum class Stage : std::uint8_t { look, stop, drain, set_mode, read_mode, enable, ready };
 
     /// One question to both controllers, and what they answered.
     struct Exchange {
-        std::uint64_t number = 0;  // counts questions; 0: none
+        std::uint64_t number = 0;   // counts questions; 0: none
+        Stage stage = Stage::stop;  // in which it was asked
         std::array<double, 2> torque_Nm{};
         std::array<bool, 2> is_answered{};
         std::array<MoteusStatus, 2> status{};
-        bool is_console = false;
         bool is_text_empty = true;
+
+        [[nodiscard]] bool is_console() const {
+            return stage == Stage::drain || stage == Stage::set_mode || stage == Stage::read_mode;
+        }
     };
 
     /// What a controller wrote to its console since the stage began, one line of it.
@@ -71,7 +76,8 @@ class MoteusPair final : public MotorPair {
     void follow(const Exchange& exchange);
     void enable(const Exchange& exchange);
     void read_consoles();
-    void refuse(MotorTrouble::Kind kind, int motor, std::uint32_t code = 0);
+    [[nodiscard]] bool tells_fault(const Exchange& exchange);
+    void go_astray();
     void doubt(MotorTrouble::Kind kind, int motor, std::uint32_t code = 0);
     [[nodiscard]] CanFrame frame_for(MoteusAddress address, double torque_Nm) const;
     [[nodiscard]] bool is_followed(const Exchange& exchange, std::size_t motor) const;
@@ -79,24 +85,17 @@ class MoteusPair final : public MotorPair {
     std::unique_ptr<FrameLink> link_;
     MoteusIds ids_;
     Stage stage_ = Stage::stop;
-    PairState state_ = PairState::setting_up;
     bool is_let_go_ = true;  // nobody asked for a set-up, or let_go() came
-    MotorTrouble trouble_;
+    PairVerdict verdict_;
     double stage_s_ = 0.0;
     double asked_s_ = 0.0;    // since the console was last written to
     bool is_asking_ = false;  // the next tick writes to the consoles
     std::array<Console, 2> consoles_{};
     std::array<bool, 2> is_heard_{};  // since set_up()
     std::array<Exchange, most_open> open_{};
-    std::uint64_t asked_ = 0;       // questions
-    std::uint64_t answered_ = 0;    // newest question that both answered
-    std::uint64_t zero_since_ = 1;  // first question after which none asked for torque
-    std::uint64_t held_zero_ = 0;   // newest question at which both had no torque
-    std::uint64_t wrong_ = 0;
-    int doubts_ = 0;  // since the pair was ready
+    std::uint64_t answered_ = 0;  // newest question that both answered
     int unknown_in_a_row_ = 0;
     bool are_absolute_ = false;
-    std::optional<ShaftTurns> turns_;  // of this step
 };
 
 /// Says what a fault code of the controller means and what to do about it.

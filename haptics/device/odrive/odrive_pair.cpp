@@ -38,13 +38,12 @@ std::uint32_t mark_of(std::uint64_t burst) {
 }  // namespace
 
 void OdrivePair::set_up() {
-    state_ = PairState::setting_up;
-    trouble_ = {};
-    is_heard_ = false;
+    verdict_.set_up();
     go(Stage::quiet);
 }
 
 void OdrivePair::let_go() {
+    verdict_.let_go();
     if (stage_ != Stage::let_go) go(Stage::let_go);
 }
 
@@ -60,14 +59,14 @@ void OdrivePair::go(Stage stage) {
 }
 
 void OdrivePair::go_astray() {
-    ++wrong_;
-    if (stage_ != Stage::let_go) state_ = PairState::astray;
+    verdict_.hear_wrong();
+    if (stage_ != Stage::let_go) verdict_.go_astray();
     go(Stage::let_go);
 }
 
 PairNews OdrivePair::step(double elapsed_s) {
     stage_s_ += elapsed_s;
-    turns_.reset();
+    verdict_.step(elapsed_s);
     std::array<std::uint8_t, 512> bytes{};
     while (const std::size_t size = port_->read(bytes)) {
         std::span<const std::uint8_t> unread(bytes.data(), size);
@@ -75,9 +74,10 @@ PairNews OdrivePair::step(double elapsed_s) {
             if (deaf_s_ <= 0.0) take(*line);
     }
     deaf_s_ = std::max(0.0, deaf_s_ - elapsed_s);
-    if (stage_ == Stage::quiet && deaf_s_ <= 0.0) go(may_clear_ ? Stage::arm : Stage::look);
-    if (port_->is_gone()) state_ = PairState::gone;
-    return {state_, turns_, is_held_zero(), wrong_};
+    if (stage_ == Stage::quiet && deaf_s_ <= 0.0)
+        go(verdict_.may_clear() ? Stage::arm : Stage::look);
+    if (port_->is_gone()) verdict_.lose();
+    return verdict_.news();
 }
 
 void OdrivePair::take(std::string_view line) {
@@ -90,7 +90,6 @@ void OdrivePair::take(std::string_view line) {
     Question& question = burst.questions[burst.answered];
     const bool is_place = answer.kind == OdriveAnswer::Kind::place;
     if (is_refusal || is_place != (question.asked == Asked::place)) return go_astray();
-    is_heard_ = true;
     question.answer = answer.value;
     if (++burst.answered < burst.count) return;
     const Burst whole = burst;
@@ -114,7 +113,10 @@ void OdrivePair::complete(const Burst& burst) {
         }
         return count == 2;
     };
-    if (are_all(Asked::held_torque, 0.0) || are_all(Asked::state, idle)) held_zero_ = burst.number;
+    const bool are_idle = are_all(Asked::state, idle);
+    if (are_all(Asked::held_torque, 0.0) || are_idle) verdict_.hear_zero(burst.number);
+    if (are_idle) verdict_.hear_let_go(burst.number);
+    if (burst.stage == Stage::arm) return look(burst);
     if (burst.stage != stage_) return;
     if (stage_ == Stage::read_back) return read_back(burst);
     if (stage_ == Stage::look) return look(burst);
@@ -122,13 +124,11 @@ void OdrivePair::complete(const Burst& burst) {
     judge_axes(burst);
     if (stage_ == Stage::close_loop && are_all(Asked::state, closed_loop) &&
         are_all(Asked::error, 0.0)) {
-        doubts_ = 0;
-        may_clear_ = false;
-        state_ = PairState::ready;
+        verdict_.be_ready();
         go(Stage::ready);
     }
     if (stage_ == Stage::ready && burst.questions[0].asked == Asked::place)
-        turns_ = ShaftTurns{burst.questions[0].answer, burst.questions[1].answer};
+        verdict_.hear_turns(burst.number, {burst.questions[0].answer, burst.questions[1].answer});
 }
 
 void OdrivePair::read_back(const Burst& burst) {
@@ -156,14 +156,16 @@ void OdrivePair::read_back(const Burst& burst) {
     go(Stage::close_loop);
 }
 
-// Arming clears errors, so one that came since the pair was ready must be told before.
+// Arming clears errors, so one that came since the pair was ready must be told.
 void OdrivePair::look(const Burst& burst) {
     for (std::size_t i = 0; i < burst.count; ++i) {
         const Question& q = burst.questions[i];
-        if (q.asked == Asked::error && q.answer != 0.0 && q.answer != watchdog_expired)
+        const bool is_error =
+            q.asked == Asked::error && q.answer != 0.0 && q.answer != watchdog_expired;
+        if (is_error && !verdict_.may_clear())
             return refuse(MotorTrouble::Kind::fault, q.axis, q.answer);
     }
-    go(Stage::arm);
+    if (stage_ == Stage::look) go(Stage::arm);
 }
 
 // Of two faults at once the first is told.
@@ -178,19 +180,14 @@ void OdrivePair::judge_axes(const Burst& burst) {
     }
 }
 
-// A line that was lost or garbled reads back like a controller that cannot; twice is no accident.
-void OdrivePair::doubt(MotorTrouble::Kind kind, std::size_t axis, double code) {
-    if (doubts_++ > 0) return refuse(kind, axis, code);
-    state_ = PairState::astray;
+void OdrivePair::doubt(MotorTrouble::Kind kind, std::size_t axis) {
+    verdict_.doubt({kind, static_cast<int>(axis) + 1, 0});
     go(Stage::let_go);
 }
 
 void OdrivePair::refuse(MotorTrouble::Kind kind, std::size_t axis, double code) {
-    doubts_ = 0;
-    may_clear_ = true;
-    state_ = PairState::refused;
-    trouble_ = {kind, static_cast<int>(axis) + 1,
-                static_cast<std::uint32_t>(std::clamp(code, 0.0, 1e9))};
+    verdict_.refuse(
+        {kind, static_cast<int>(axis) + 1, static_cast<std::uint32_t>(std::clamp(code, 0.0, 1e9))});
     go(Stage::let_go);
 }
 
@@ -203,8 +200,9 @@ void OdrivePair::put_release(OdriveText& text) const {
     }
 }
 
-// The watchdogs are fed before they are switched on, and errors are cleared after it.
-void OdrivePair::put_arming(OdriveText& text) const {
+// The watchdogs are fed before they are switched on, and errors are asked for right before they are
+// cleared.
+void OdrivePair::put_arming(OdriveText& text, Burst& burst) const {
     for (const int axis : {0, 1}) {
         text.set(axis, "config.watchdog_timeout", watchdog_s);
         text.feed(axis);
@@ -214,6 +212,9 @@ void OdrivePair::put_arming(OdriveText& text) const {
         text.set(axis, "motor.config.torque_lim", most_Nm_);
         text.torque(axis, 0.0);
     }
+    text.set_mark(mark_of(burst.number));
+    ask(text, burst, Asked::error);
+    ask_mark(text, burst);
     text.clear_errors();
 }
 
@@ -227,9 +228,14 @@ void OdrivePair::ask(OdriveText& text, Burst& burst, Asked asked) {
     }
 }
 
+void OdrivePair::ask_mark(OdriveText& text, Burst& burst) {
+    text.ask_mark();
+    burst.questions[burst.count++] = {Asked::mark, 0};
+}
+
 // Torques first: they must not wait for the board to answer.
 void OdrivePair::put_stage(OdriveText& text, Burst& burst, ShaftTorques torques) {
-    if (stage_ == Stage::arm) return put_arming(text);
+    if (stage_ == Stage::arm) return put_arming(text, burst);
     if (stage_ < Stage::arm) {
         put_release(text);
     } else {
@@ -242,12 +248,11 @@ void OdrivePair::put_stage(OdriveText& text, Burst& burst, ShaftTorques torques)
         text.set(1, "requested_state", closed_loop);
         stage_s_ = 0.0;
     }
-    const bool is_waiting = stage_ == Stage::read_back && open_count_ > 0;
+    const bool is_waiting = stage_ == Stage::read_back && !is_first_of_stage_ && open_count_ > 0;
     if (deaf_s_ > 0.0 || open_count_ == most_open || is_waiting) return;
     text.set_mark(mark_of(burst.number));
     put_questions(text, burst, torques == ShaftTorques{});
-    text.ask_mark();
-    burst.questions[burst.count++] = {Asked::mark, 0};
+    ask_mark(text, burst);
 }
 
 void OdrivePair::put_questions(OdriveText& text, Burst& burst, bool is_zero) {
@@ -260,7 +265,7 @@ void OdrivePair::put_questions(OdriveText& text, Burst& burst, bool is_zero) {
             return;
         case Stage::ready:
             ask(text, burst, Asked::place);
-            if (is_zero && !is_held_zero()) return ask(text, burst, Asked::held_torque);
+            if (is_zero && !verdict_.is_held_zero()) return ask(text, burst, Asked::held_torque);
             [[fallthrough]];
         case Stage::close_loop:  // the error first, for an axis that has one is idle at once
             ask(text, burst, Asked::error);
@@ -275,9 +280,8 @@ bool OdrivePair::tell(ShaftTorques torques) {
     const ShaftTorques told = stage_ == Stage::ready ? torques : ShaftTorques{};
     OdriveText text;
     Burst burst;
-    burst.number = ++told_;
+    burst.number = verdict_.tell(told != ShaftTorques{});
     burst.stage = stage_;
-    if (told != ShaftTorques{}) zero_since_ = told_ + 1;
     put_stage(text, burst, told);
     if (!port_->write(text.bytes())) return false;
     is_first_of_stage_ = false;
@@ -287,8 +291,7 @@ bool OdrivePair::tell(ShaftTorques torques) {
 }
 
 MotorTrouble OdrivePair::trouble() const {
-    if (trouble_.kind != MotorTrouble::Kind::none || state_ == PairState::ready) return trouble_;
-    return {MotorTrouble::Kind::silent, 0, 0};
+    return verdict_.trouble(0);
 }
 
 }  // namespace touchline

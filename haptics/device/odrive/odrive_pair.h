@@ -5,7 +5,7 @@
 //   quiet --> look for errors --> arm --> read back --> closed loop --> ready
 #pragma once
 
-#include "haptics/device/drives/motor_pair.h"
+#include "haptics/device/drives/pair_verdict.h"
 #include "haptics/device/odrive/odrive_lines.h"
 #include "haptics/device/serial/byte_link.h"
 #include "haptics/device/serial/line_reader.h"
@@ -88,37 +88,27 @@ class OdrivePair final : public MotorPair {
     void look(const Burst& burst);
     void judge_axes(const Burst& burst);
     void refuse(MotorTrouble::Kind kind, std::size_t axis, double code = 0.0);
-    void doubt(MotorTrouble::Kind kind, std::size_t axis, double code = 0.0);
+    void doubt(MotorTrouble::Kind kind, std::size_t axis);
     void put_stage(OdriveText& text, Burst& burst, ShaftTorques torques);
     void put_questions(OdriveText& text, Burst& burst, bool is_zero);
     void put_release(OdriveText& text) const;
-    void put_arming(OdriveText& text) const;
+    void put_arming(OdriveText& text, Burst& burst) const;
+    static void ask_mark(OdriveText& text, Burst& burst);
     static void ask(OdriveText& text, Burst& burst, Asked asked);
     [[nodiscard]] std::size_t asked_axis() const;
-
-    [[nodiscard]] bool is_held_zero() const { return held_zero_ >= zero_since_; }
 
     std::unique_ptr<ByteLink> port_;
     double most_Nm_;
     LineReader lines_;
     Stage stage_ = Stage::let_go;
-    PairState state_ = PairState::setting_up;
-    MotorTrouble trouble_;
+    PairVerdict verdict_;
     double stage_s_ = 0.0;
     double deaf_s_ = 0.0;  // what comes until then belongs to no question
     bool is_first_of_stage_ = true;
-    bool is_heard_ = false;                // since set_up()
     std::array<Burst, most_open> open_{};  // by time; first_open_ is the oldest
     std::size_t first_open_ = 0;
     std::size_t open_count_ = 0;
-    std::uint64_t told_ = 0;        // bursts
-    std::uint64_t zero_since_ = 1;  // first burst after which none had torque
-    std::uint64_t held_zero_ = 0;   // newest burst after which both told that they had none
-    std::uint64_t wrong_ = 0;
-    int doubts_ = 0;         // since the pair was ready
-    bool may_clear_ = true;  // errors: nobody opened the device yet, or was told of one
     bool are_absolute_ = false;
-    std::optional<ShaftTurns> turns_;  // of this step
 };
 
 }  // namespace touchline

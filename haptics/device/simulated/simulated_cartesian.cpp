@@ -32,9 +32,7 @@ SimulatedCartesian::SimulatedCartesian(const DeviceProfile& profile,
       path_(std::move(path)),
       across_path_(std::move(across)),
       plane_(mass_of(profile.mechanics), options.hand, path_->at(0.0).position),
-      across_(mass_of(profile.mechanics), options.hand, on_plane(across_path_.get())) {
-    options_.plane.limit_N = std::min(options_.plane.limit_N, profile.force_limit_N);
-}
+      across_(mass_of(profile.mechanics), options.hand, on_plane(across_path_.get())) {}
 
 std::optional<DeviceReading> SimulatedCartesian::read(double now_s) {
     if (now_s > time_s_) {
@@ -46,8 +44,9 @@ std::optional<DeviceReading> SimulatedCartesian::read(double now_s) {
     DeviceReading told;
     told.p_D = Position{in_steps(p_D.x, step_m), in_steps(p_D.y, step_m)};
     told.velocity_D = turned(tip().velocity);
-    told.off_plane = OffPlane{off_m(), across_.tip().velocity.x,
-                              share_on_plane(options_.plane, off_m()), acting_.across_N};
+    told.off_plane =
+        OffPlane{off_m(), across_.tip().velocity.x,
+                 share_on_plane(profile_.cartesian->spring, off_m()), acting_.across_N};
     return told;
 }
 
@@ -65,7 +64,7 @@ void SimulatedCartesian::advance_to(double t_s) {
     advance(t_s - time_s_);
     time_s_ = t_s;
     // Also where no time passed for the mechanics.
-    acting_ = held_to_plane(options_.plane, told_.force_D, off_m(), across_.tip().velocity.x,
+    acting_ = held_to_plane(profile_, told_.force_D, off_m(), across_.tip().velocity.x,
                             told_.plane_share);
 }
 
@@ -74,7 +73,7 @@ void SimulatedCartesian::advance(double span_s) {
     const double steps = std::max(1.0, std::ceil(span_s / options_.substep_s - 1e-6));
     const double h_s = span_s / steps;
     for (int i = 0; i < static_cast<int>(steps); ++i) {
-        acting_ = held_to_plane(options_.plane, told_.force_D, off_m(), across_.tip().velocity.x,
+        acting_ = held_to_plane(profile_, told_.force_D, off_m(), across_.tip().velocity.x,
                                 told_.plane_share);
         plane_.step(turned(acting_.in_plane_D), path_->at(time_s_), h_s);
         Intention across = across_path_ ? across_path_->at(time_s_) : Intention{};

@@ -19,7 +19,6 @@ namespace touchline {
 struct CartesianOptions {
     HandModel hand = normal_hand;
     double substep_s = 1.25e-4;  // longest integration step, > 0
-    PlaneSpring plane;
 };
 
 /// Threads: as ForceDevice; another thread may lead the paths if they allow it.

@@ -186,10 +186,10 @@ TEST(CartesianLoop, OffThePlaneNothingInItIsFeltAndTheSpringLeadsBack) {
     bench.move({0.0, -0.004}, 0.3);
     bench.across->move_to({0.02, 0.0});
     bench.run(0.5);
-    ASSERT_GT(bench.device.off_m(), PlaneSpring{}.off_plane_m);
+    ASSERT_GT(bench.device.off_m(), profile().cartesian->spring.off_plane_m);
     EXPECT_EQ(bench.device.acting().in_plane_D, Force{});
     EXPECT_EQ(bench.line.written.force_D, Force{}) << "nor does the chain believe in one";
-    EXPECT_DOUBLE_EQ(bench.device.acting().across_N, -PlaneSpring{}.most_N);
+    EXPECT_DOUBLE_EQ(bench.device.acting().across_N, -profile().cartesian->spring.most_N);
     bench.across->move_to({});
     bench.run(0.5);
     EXPECT_LT(std::abs(bench.device.off_m()), 1e-3);
@@ -241,7 +241,7 @@ TEST(CartesianLoop, NothingHoldsTheHandleToThePlaneBeforeForceIsArmed) {
         ASSERT_LT(std::abs(device.acting().across_N - before), 0.01) << "it comes slowly";
         before = device.acting().across_N;
     }
-    EXPECT_DOUBLE_EQ(before, -PlaneSpring{}.most_N);
+    EXPECT_DOUBLE_EQ(before, -profile().cartesian->spring.most_N);
 }
 
 TEST(CartesianLoop, AnEmergencyStopLetsGoOfThePlaneToo) {

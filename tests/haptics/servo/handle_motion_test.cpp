@@ -117,7 +117,7 @@ struct LateHand {
         if (is_new) last_m = speed_m_per_s * tick_s * ticks - 0.05;
         ++ticks;
         input.reading->p_D = device_from_picture(profile, {last_m, 0.0});
-        input.reading->is_new = is_new;
+        input.reading->freshness.is_new = is_new;
         return motion.step(profile, input, std::nullopt, tick_s, tick_s);
     }
 

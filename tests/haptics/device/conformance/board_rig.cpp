@@ -40,10 +40,16 @@ class UsbBoardRig final : public DeviceRig {
 
     void cut() override { rig_.board.unplug(); }
 
+    void fall_silent() override { rig_.link->slow(for_ever_s, for_ever_s); }
+
     void join() override { rig_.board.plug(); }
 
     void garble_next(unsigned seed) override {
         rig_.link->spoil_next({0, LinkFault::garbled_reply, 0.0, seed});
+    }
+
+    void slow_answers(double late_s, int ticks) override {
+        rig_.link->slow(late_s, ticks * rig_tick_s);
     }
 
     [[nodiscard]] Position true_p_D() const override {
@@ -60,6 +66,8 @@ class UsbBoardRig final : public DeviceRig {
     }
 
   private:
+    static constexpr double for_ever_s = 1e6;
+
     static std::shared_ptr<MouseHand> hand_at_home() {
         const DeviceProfile& profile = default_profile();
         const Position home = forward(profile.geometry, profile.home).value().p_DH;

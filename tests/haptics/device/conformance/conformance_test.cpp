@@ -1,6 +1,8 @@
 // What every device promises the servo, whatever its protocol: order, units, signs, limits, zero,
 // loss and reconnection. Written once and run for each row of rigs.cpp.
 #include "haptics/device/joint_device.h"
+#include "haptics/safety/guards.h"
+#include "haptics/servo/handle_motion.h"
 #include "tests/haptics/device/conformance/device_rig.h"
 #include "tests/haptics/tick.h"
 
@@ -83,6 +85,53 @@ class Conformance : public testing::TestWithParam<RigRow> {
             EXPECT_FALSE(is_taken_ && promises().has_motors) << "it says zero before it is";
         }
         return std::numeric_limits<double>::infinity();
+    }
+
+    /// What the servo concludes of a hand that is led through the area.
+    struct Seen {
+        bool is_too_fast = false;  // or jumped
+        double truly_m_per_s = 0.0;
+    };
+
+    /// Leads the hand along x at this speed until the handle is through the area. Of every eleven
+    /// answers, this many come later by late_s.
+    Seen lead(double m_per_s, double late_s, int late) {
+        const DeviceProfile& profile = rig().profile();
+        const double half_m = 0.45 * profile.area.width_m;
+        rig().move_hand(profile.centre - Position{half_m, 0.0});
+        (void)tick_for(1.0);
+        HandleMotion motion(profile);
+        SpeedWatch watch;
+        Seen seen;
+        Position before = rig().true_p_D();
+        for (int i = 0; before.x < profile.centre.x + half_m && i < 1000; ++i) {
+            if (i % 11 == 5) rig().slow_answers(late_s, late);
+            rig().move_hand(profile.centre + Position{m_per_s * tick_s * i - half_m, 0.0});
+            StepInput input;
+            input.reading = tick();
+            const auto handle = motion.step(profile, input, std::nullopt, tick_s, tick_s);
+            const bool is_fast = watch.step(norm(handle.velocity), tick_s);
+            seen.is_too_fast = seen.is_too_fast || is_fast || handle.has_jumped || !input.reading;
+            seen.truly_m_per_s =
+                std::max(seen.truly_m_per_s, norm(rig().true_p_D() - before) / tick_s);
+            before = rig().true_p_D();
+        }
+        return seen;
+    }
+
+    /// Of a five-bar the chain bounds the force, and the device only its motors' torques.
+    void expect_within_limit(Force made_D) {
+        const DeviceProfile& profile = rig().profile();
+        if (!has_joints(profile)) {
+            EXPECT_LE(norm(made_D), profile.force_limit_N * (1.0 + 1e-9));
+            return;
+        }
+        const auto angles = inverse(profile.geometry, rig().true_p_D());
+        const auto pose = forward(profile.geometry, angles.value());
+        const JointTorques torques = joint_torques(pose.value().jacobian, made_D);
+        const double most_Nm = std::max(std::abs(torques.x), std::abs(torques.y));
+        EXPECT_LE(most_Nm, profile.torque_limit_Nm * 1.001);
+        EXPECT_GE(most_Nm, profile.torque_limit_Nm * 0.9) << "and no less than it can";
     }
 
     std::unique_ptr<DeviceRig> rig_;
@@ -183,14 +232,15 @@ TEST_P(Conformance, NoForceIsAboveTheDevicesLimitAndItsDirectionStays) {
     open();
     settle();
     for (const double wanted_N : {5.0, 100.0, 1e9}) {
-        (void)tick_for(0.02, {wanted_N, 0.0});
-        const Force made = rig().true_force_D();
-        EXPECT_GT(made.x, 0.0) << wanted_N;
-        EXPECT_LT(std::abs(made.y), 0.1 * made.x + promises().force_N) << wanted_N;
-        // Of a five-bar the chain bounds the force, and the device only its motors' torques.
-        const double most_N = has_joints(rig().profile()) ? 20.0 : rig().profile().force_limit_N;
-        EXPECT_LE(norm(made), most_N + promises().force_N);
-        (void)tick_for(0.1);
+        for (const Force way : {right, Force{0.8, 0.6}}) {
+            (void)tick_for(0.02, wanted_N * way);
+            const Force made = rig().true_force_D();
+            EXPECT_GT(dot(made, way), 0.0) << wanted_N;
+            const double beside_N = promises().keeps_way ? std::abs(cross(made, way)) : 0.0;
+            EXPECT_LT(beside_N, 0.1 * norm(made) + promises().force_N);
+            expect_within_limit(made);
+            (void)tick_for(0.1);
+        }
     }
 }
 
@@ -222,13 +272,16 @@ TEST_P(Conformance, ZeroIsThereInTheTimeThatItStatesAndToldOnlyThen) {
 }
 
 TEST_P(Conformance, NoForceBeforeItIsReady) {
-    if (!promises().needs_opening) return;
-    for (int i = 0; i < 100; ++i) {
-        (void)tick(right);
+    EXPECT_TRUE(rig().holds_zero());
+    bool is_ready = false;
+    for (int i = 0; i < 1000 && !is_ready; ++i) {
         rig().pass(tick_s);
-        EXPECT_FALSE(rig().device().write(push()));
-        ASSERT_TRUE(rig().holds_zero()) << i;
+        ASSERT_TRUE(rig().holds_zero()) << i << ": what was pushed before it was ready";
+        is_ready = rig().device().read(rig().now_s()).has_value();
+        const bool is_taken = !is_ready && rig().device().write(push());
+        EXPECT_FALSE(is_taken) << i;
     }
+    EXPECT_NE(is_ready, promises().needs_opening);
 }
 
 TEST_P(Conformance, AGarbledAnswerIsNoNewsOrZero) {
@@ -247,6 +300,29 @@ TEST_P(Conformance, AGarbledAnswerIsNoNewsOrZero) {
     }
 }
 
+TEST_P(Conformance, AnswersThatAreLateMakeNoHandTooFast) {
+    open();
+    for (const double late_s : {0.3e-3, 0.7e-3, 1e-3, 1.4e-3, 2e-3}) {
+        for (const int late : {1, 3}) {
+            const Seen seen = lead(0.62, late_s, late);  // it swings beyond that
+            EXPECT_NEAR(seen.truly_m_per_s, 0.92, 0.04);
+            EXPECT_FALSE(seen.is_too_fast) << late << " answers by " << late_s;
+        }
+    }
+}
+
+TEST_P(Conformance, AHandThatIsTooFastIsToldAlsoWhileAnswersAreLate) {
+    for (const double late_s : {0.0, 0.3e-3, 1e-3, 1.4e-3, 2e-3}) {
+        for (const int late : {1, 3, 11}) {
+            rig_ = GetParam().make();
+            open();
+            const Seen seen = lead(3.0, late_s, late);
+            EXPECT_GT(seen.truly_m_per_s, 2.0);
+            EXPECT_TRUE(seen.is_too_fast) << late << " answers by " << late_s;
+        }
+    }
+}
+
 TEST_P(Conformance, LossIsToldInTimeAndForceIsRefused) {
     open();
     settle();
@@ -260,6 +336,22 @@ TEST_P(Conformance, LossIsToldInTimeAndForceIsRefused) {
     if (!promises().free_s) return;
     rig().pass(*promises().free_s);
     EXPECT_TRUE(rig().holds_zero()) << "its motors are free by themselves";
+}
+
+TEST_P(Conformance, SilenceIsTheLossOfItAndEndsTheForce) {
+    open();
+    settle();
+    (void)tick_for(0.05, right);
+    rig().fall_silent();
+    const double from_s = rig().now_s();
+    while (!rig().holds_zero() && rig().now_s() < from_s + 1.0) (void)tick(right);
+    EXPECT_LE(rig().now_s() - from_s, promises().silence_s + 1e-9);
+    (void)tick_for(promises().loss_s, right);
+    for (int i = 0; i < 100; ++i) {
+        EXPECT_FALSE(tick(right).has_value()) << i;
+        EXPECT_FALSE(rig().device().write(push())) << i;
+        ASSERT_TRUE(rig().holds_zero()) << i;
+    }
 }
 
 TEST_P(Conformance, ComesBackAfterALossWithoutForce) {

@@ -43,11 +43,17 @@ class DeviceRig : public Interface {
     /// Cuts it: nothing comes through any more, as when a plug is pulled or a service ends.
     virtual void cut() = 0;
 
-    /// Makes it whole again. Then open() may be called.
+    /// From now on nothing answers any more, but the line stays, and what is sent arrives.
+    virtual void fall_silent() = 0;
+
+    /// Makes a line that was cut whole again. Then open() may be called.
     virtual void join() = 0;
 
     /// Spoils the next answer: some of its bits or words are others, by `seed`.
     virtual void garble_next(unsigned seed) = 0;
+
+    /// For this many ticks each answer comes later by late_s, in the same order.
+    virtual void slow_answers(double late_s, int ticks) = 0;
 
     // What only a test can see.
 
@@ -67,10 +73,12 @@ struct RigPromises {
     double zero_s = 3e-3;       // from the first zero written until the device holds it
     double fresh_s = 4.5e-3;    // the age of what read() tells
     double loss_s = 20e-3;      // from a cut until read() tells nothing
+    double silence_s = 10e-3;   // from the last answer until the device holds zero
     double place_m = 5e-4;      // read() against the true place
     double force_share = 0.05;  // the force made against the force told, as a share ...
     double force_N = 0.05;      // ... and besides
-    bool needs_opening = true;  // no force before open()
+    bool needs_opening = true;  // without open() it never gets ready
+    bool keeps_way = true;      // of a force above the limit; false: each motor ends at its own
     bool has_motors = true;     // false: software, which takes a zero for held once it is told
     std::optional<double>
         free_s;  // from a cut until its motors are free by themselves; nothing: never

@@ -26,11 +26,17 @@ class MotorsRig final : public DeviceRig {
 
     void cut() override { rig_.line->spoil(LineFault::unplugged); }
 
+    void fall_silent() override { rig_.line->spoil(LineFault::lost_reply, for_ever_s); }
+
     /// The next open() makes a line anew.
     void join() override {}
 
     void garble_next(unsigned seed) override {
         rig_.line->spoil(LineFault::garbled_reply, 0.0, seed);
+    }
+
+    void slow_answers(double late_s, int ticks) override {
+        rig_.line->slow(late_s, ticks * drive_tick_s);
     }
 
     [[nodiscard]] Position true_p_D() const override {
@@ -49,6 +55,8 @@ class MotorsRig final : public DeviceRig {
     }
 
   private:
+    static constexpr double for_ever_s = 1e6;
+
     [[nodiscard]] const DriveTruth& truth() const { return rig_.plant().truth(); }
 
     std::shared_ptr<MouseHand> hand_ = std::make_shared<MouseHand>(Position{});

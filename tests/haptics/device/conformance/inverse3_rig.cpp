@@ -34,12 +34,19 @@ class Inverse3Rig final : public DeviceRig {
     /// The service ends.
     void cut() override { rig_.link->close(); }
 
+    /// The service takes frames and answers none.
+    void fall_silent() override { rig_.link->spoil(AnswerFault::lost, 1'000'000); }
+
     void join() override {}
 
     void garble_next(unsigned seed) override {
         constexpr std::array faults{AnswerFault::cut, AnswerFault::garbled, AnswerFault::doubled,
                                     AnswerFault::other_arm};
         rig_.link->spoil(faults[seed % faults.size()]);
+    }
+
+    void slow_answers(double late_s, int ticks) override {
+        rig_.link->spoil(AnswerFault::late, ticks, late_s);
     }
 
     [[nodiscard]] Position true_p_D() const override {

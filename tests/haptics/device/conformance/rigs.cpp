@@ -18,6 +18,7 @@ RigPromises of_the_board() {
 RigPromises of_the_inverse3() {
     RigPromises promises;
     promises.place_m = 2e-4;
+    promises.silence_s = 22e-3;  // the session's, and a frame's way
     promises.needs_opening = false;
     promises.free_s = 0.001;
     return promises;
@@ -28,7 +29,9 @@ RigPromises of_the_simulated_pantograph() {
     RigPromises promises;
     promises.place_m = 6e-4;
     promises.loss_s = 0.0;
+    promises.silence_s = 3e-3;  // its motors' delay
     promises.needs_opening = false;
+    promises.keeps_way = false;
     promises.has_motors = false;
     return promises;
 }
@@ -45,6 +48,7 @@ RigPromises of_controllers() {
 RigPromises of_the_simulated_cartesian() {
     RigPromises promises = of_the_simulated_pantograph();
     promises.place_m = 5e-5;
+    promises.keeps_way = true;
     return promises;
 }
 

@@ -55,10 +55,15 @@ class SimulatedRig : public DeviceRig {
 
     void cut() override { line_.is_cut = true; }
 
+    void fall_silent() override { cut(); }
+
     void join() override { line_.is_cut = false; }
 
     /// There are no bits to spoil.
     void garble_next(unsigned /*seed*/) override {}
+
+    /// Nothing is on its way.
+    void slow_answers(double /*late_s*/, int /*ticks*/) override {}
 
     [[nodiscard]] Position true_p_D() const override {
         return device_from_picture(profile_, device_.tip().position);

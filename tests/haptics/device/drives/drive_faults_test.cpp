@@ -1,6 +1,6 @@
 // Faults at every moment: while the controllers are armed, at work, and while the motors are let
 // go. The motors never pull where nobody told them to, and a zero that is told is one.
-#include "tests/machines/sim/drives/drive_rig.h"
+#include "tests/haptics/device/drives/drive_ends.h"
 
 #include <array>
 #include <random>
@@ -46,7 +46,7 @@ TYPED_TEST(DriveFaults, UnpluggedWhileItIsOpenedIsSaid) {
         ASSERT_FALSE(opened.has_value()) << at;
         EXPECT_NE(opened.error().line.find("plug"), std::string::npos) << opened.error().line;
         rig.pass(0.1);
-        EXPECT_EQ(rig.bridges(), (std::array{Bridge::off, Bridge::off}));
+        EXPECT_EQ(rig.bridges(), both_off);
     }
 }
 
@@ -62,7 +62,72 @@ TYPED_TEST(DriveFaults, OneFaultAnywhereInStoppingStillLetsTheMotorsGo) {
             EXPECT_TRUE(is_confirmed);
             rig.pass(0.001);
             EXPECT_EQ(rig.held(), JointTorques{});
-            EXPECT_EQ(rig.bridges(), (std::array{Bridge::off, Bridge::off}));
+            EXPECT_EQ(rig.bridges(), both_off);
+        }
+    }
+}
+
+// The watchdogs would do it too, but stop() says that it was done.
+TYPED_TEST(DriveFaults, AStopThatIsLostAfterAZeroIsSaidAgain) {
+    for (const LineFault fault : every_line_fault) {
+        DriveRig<TypeParam> rig;
+        ASSERT_TRUE(rig.driver->open().has_value());
+        rig.tick_for(0.03, wanted);
+        rig.tick_for(0.03, {});
+        ASSERT_TRUE(rig.is_written);
+        rig.line->spoil(fault, 0.004, 3);
+        const bool is_confirmed = rig.driver->stop();
+        SCOPED_TRACE(testing::Message() << static_cast<int>(fault));
+        EXPECT_TRUE(is_confirmed);
+        EXPECT_EQ(rig.bridges(), both_off);
+    }
+}
+
+// Where no tick follows, a zero from before is as good as a new one; without one the motors go.
+TYPED_TEST(DriveFaults, AnEndInZeroIsZeroOrLetsGo) {
+    for (const LineFault fault : every_line_fault) {
+        for (const JointTorques before : {JointTorques{}, wanted}) {
+            DriveRig<TypeParam> rig;
+            ASSERT_TRUE(rig.driver->open().has_value());
+            rig.tick_for(0.03, before);
+            rig.line->spoil(fault, 0.03, 3);
+            const bool is_confirmed = rig.driver->end_in_zero();
+            SCOPED_TRACE(testing::Message() << static_cast<int>(fault));
+            EXPECT_TRUE(is_confirmed);
+            EXPECT_EQ(rig.held(), JointTorques{});
+        }
+    }
+}
+
+TYPED_TEST(DriveFaults, AFaultIsToldInWhicheverTickItComes) {
+    for (const std::size_t motor : {0U, 1U}) {
+        for (int ticks = 40; ticks < 44; ++ticks) {
+            SCOPED_TRACE(testing::Message() << "motor " << motor << " after " << ticks);
+            DriveRig<TypeParam> rig;
+            ASSERT_TRUE(rig.driver->open().has_value());
+            rig.tick_for(drive_tick_s * ticks, press);
+            rig.machine.fail(motor);
+            expect_told(rig, motor);
+        }
+    }
+}
+
+// The controllers are armed anew for the silence, which clears what nobody was told of.
+TYPED_TEST(DriveFaults, AFaultNearALostAnswerIsToldAndNotCleared) {
+    for (const std::size_t motor : {0U, 1U}) {
+        for (const double silent_s : {0.006, 0.012}) {
+            for (int ticks = 0; ticks < 60; ++ticks) {
+                SCOPED_TRACE(testing::Message()
+                             << "motor " << motor << ", " << ticks << " ms after a silence of "
+                             << silent_s << " s began");
+                DriveRig<TypeParam> rig;
+                ASSERT_TRUE(rig.driver->open().has_value());
+                rig.tick_for(0.05, press);
+                rig.line->spoil(LineFault::lost_reply, silent_s);
+                rig.tick_for(drive_tick_s * ticks, press);
+                rig.machine.fail(motor);
+                expect_told(rig, motor);
+            }
         }
     }
 }

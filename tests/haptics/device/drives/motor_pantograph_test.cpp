@@ -2,7 +2,7 @@
 #include "haptics/device/drives/motor_pantograph.h"
 
 #include "haptics/device/nudge_test.h"
-#include "tests/machines/sim/drives/drive_rig.h"
+#include "tests/haptics/device/drives/drive_ends.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,9 +15,6 @@
 
 namespace touchline {
 namespace {
-
-constexpr JointTorques press{0.05, -0.03};
-constexpr std::array let_go{Bridge::off, Bridge::off};
 
 template <class Machine>
 class MotorPantographOf : public testing::Test {};
@@ -157,10 +154,10 @@ TYPED_TEST(MotorPantographOf, AHostThatFallsSilentLosesTheMotorsWithinTheStatedT
     EXPECT_NEAR(norm(rig.held() - press), 0.0, 1e-4);
     rig.pass(0.004);
     EXPECT_LE(rig.zero_from(last_s) - last_s, watchdog_s + 0.001);
-    EXPECT_EQ(rig.bridges(), let_go);  // and not damped
+    EXPECT_EQ(rig.bridges(), both_off);  // and not damped
     rig.pass(10.0);
     EXPECT_EQ(rig.held(), JointTorques{});
-    EXPECT_EQ(rig.bridges(), let_go);
+    EXPECT_EQ(rig.bridges(), both_off);
 }
 
 TYPED_TEST(MotorPantographOf, AHostThatWasSilentFindsItsWayBack) {
@@ -185,7 +182,7 @@ TYPED_TEST(MotorPantographOf, AFaultGivesNoForceAndIsToldInWords) {
         EXPECT_EQ(rig.driver->report().state, DriveState::refused);
         EXPECT_EQ(rig.driver->report().trouble.motor, static_cast<int>(motor) + 1);
         EXPECT_LE(rig.zero_from(failed_s) - failed_s, 0.005);
-        EXPECT_EQ(rig.bridges(), let_go);
+        EXPECT_EQ(rig.bridges(), both_off);
         EXPECT_FALSE(rig.driver->write_torques(press));
         const std::string words = rig.driver->words();
         EXPECT_NE(words.find("motor " + std::to_string(motor + 1)), std::string::npos) << words;
@@ -233,7 +230,7 @@ TYPED_TEST(MotorPantographOf, UnpluggedIsLostAtOnceAndTheWatchdogsLetGo) {
     EXPECT_FALSE(rig.is_written);
     rig.tick_for(0.05, press);
     EXPECT_LE(rig.zero_from(from_s) - from_s, watchdog_s + 0.001);
-    EXPECT_EQ(rig.bridges(), let_go);
+    EXPECT_EQ(rig.bridges(), both_off);
     rig.connect({});
     open(rig);
 }
@@ -365,7 +362,7 @@ TYPED_TEST(MotorPantographOf, StopLetsGoIsConfirmedAndNothingFollows) {
     EXPECT_TRUE(rig.driver->stop());
     rig.pass(0.001);
     EXPECT_EQ(rig.held(), JointTorques{});
-    EXPECT_EQ(rig.bridges(), let_go);
+    EXPECT_EQ(rig.bridges(), both_off);
     EXPECT_FALSE(rig.driver->read_angles(1.0).has_value());
     EXPECT_FALSE(rig.driver->write_torques(press));
 }
@@ -377,7 +374,7 @@ TYPED_TEST(MotorPantographOf, StopIsNotConfirmedWithoutAnAnswer) {
     rig.line->spoil(LineFault::lost_reply, 10.0);
     EXPECT_FALSE(rig.driver->stop());
     rig.pass(0.03);
-    EXPECT_EQ(rig.bridges(), let_go);
+    EXPECT_EQ(rig.bridges(), both_off);
 }
 
 TYPED_TEST(MotorPantographOf, TheNudgeTestFindsWhatItFindsOfABoard) {

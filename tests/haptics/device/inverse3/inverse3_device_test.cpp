@@ -69,7 +69,7 @@ TEST(Inverse3Device, OffThePlaneNothingIsFeltInIt) {
     OpenRig rig;
     rig.service.lift(0.025);
     (void)rig.tick_for(1.0, push_right);
-    EXPECT_GT(rig.device->off_plane_m(), PlaneSpring{}.off_plane_m);
+    EXPECT_GT(rig.device->off_plane_m(), rig.profile.cartesian->spring.off_plane_m);
     EXPECT_EQ(rig.service.applied_N().x, 0.0);
     EXPECT_LT(rig.service.applied_N().z, 0.0);
 }
@@ -117,8 +117,8 @@ TEST(Inverse3Device, APlaceThatWasToldBeforeIsNotNew) {
         if (i % 20 == 0) rig.link->spoil(AnswerFault::late, 1, 0.0025);
         const auto told = rig.tick();
         ASSERT_TRUE(told && told->p_D);
-        EXPECT_TRUE(i == 0 || told->is_new == (*told->p_D != before)) << i;
-        repeated += told->is_new ? 0 : 1;
+        EXPECT_TRUE(i == 0 || told->freshness.is_new == (*told->p_D != before)) << i;
+        repeated += told->freshness.is_new ? 0 : 1;
         before = *told->p_D;
     }
     EXPECT_GE(repeated, 10);

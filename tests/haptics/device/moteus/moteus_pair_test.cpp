@@ -1,7 +1,7 @@
 // What two moteus controllers must confirm before there is force, and what is told if they do not.
 #include "haptics/device/moteus/moteus_pair.h"
 
-#include "tests/machines/sim/drives/drive_rig.h"
+#include "tests/haptics/device/drives/drive_ends.h"
 
 #include <string>
 
@@ -11,20 +11,6 @@ namespace touchline {
 namespace {
 
 using MoteusRig = DriveRig<MoteusMachine>;
-
-constexpr JointTorques press{0.05, -0.03};
-
-void expect_refused(MoteusRig& rig, std::string_view words) {
-    const auto opened = rig.driver->open();
-    ASSERT_FALSE(opened.has_value());
-    EXPECT_NE(opened.error().line.find(words), std::string::npos) << opened.error().line;
-    EXPECT_EQ(rig.driver->report().state, DriveState::refused);
-    rig.tick_for(0.2, press);
-    EXPECT_FALSE(rig.driver->write_torques(press));
-    for (const BridgeChange& change : rig.plant().changes())
-        EXPECT_EQ(change.torques, ShaftTorques{});
-    EXPECT_EQ(rig.bridges(), (std::array{Bridge::off, Bridge::off}));
-}
 
 TEST(MoteusPair, TheTimeOutThatDampsIsChangedToOneThatLetsGo) {
     auto units = MoteusMachine::units();
@@ -40,28 +26,24 @@ TEST(MoteusPair, TheTimeOutThatDampsIsChangedToOneThatLetsGo) {
 TEST(MoteusPair, AControllerThatKeepsTheTimeOutThatDampsGetsNoTorque) {
     auto units = MoteusMachine::units();
     units[1].takes_settings = false;
-    MoteusRig rig({}, units);
-    expect_refused(rig, "motor 2 (id 2) would not let its motor go");
+    expect_refused<MoteusMachine>(units, "motor 2 (id 2) would not let its motor go");
 }
 
 TEST(MoteusPair, AWatchdogThatReadsBackOtherwiseGetsNoTorque) {
     for (const double factor : {0.5, 1.01, 5.0}) {
         auto units = MoteusMachine::units();
         units[0].watchdog_factor = factor;
-        MoteusRig rig({}, units);
-        expect_refused(rig, "motor 1 (id 1) does not confirm its watchdog");
+        expect_refused<MoteusMachine>(units, "motor 1 (id 1) does not confirm its watchdog");
     }
 }
 
 TEST(MoteusPair, AFirmwareThatLacksARegisterOrTheSettingGetsNoTorque) {
     auto units = MoteusMachine::units();
     units[1].knows_bounds = false;
-    MoteusRig without_register({}, units);
-    expect_refused(without_register, "motor 2 (id 2) lacks what force needs");
+    expect_refused<MoteusMachine>(units, "motor 2 (id 2) lacks what force needs");
     units = MoteusMachine::units();
     units[0].knows_timeout_mode = false;
-    MoteusRig without_setting({}, units);
-    expect_refused(without_setting, "motor 1 (id 1) lacks what force needs");
+    expect_refused<MoteusMachine>(units, "motor 1 (id 1) lacks what force needs");
 }
 
 TEST(MoteusPair, WhatSomebodyElseLeftInTheConsoleIsNotTakenForAnAnswer) {
@@ -82,7 +64,7 @@ TEST(MoteusPair, AControllerThatStartsAnewInMidVisitIsArmedAnew) {
     rig.tick_for(0.2, press);
     EXPECT_EQ(rig.driver->report().state, DriveState::ready);
     rig.pass(0.1);
-    EXPECT_EQ(rig.bridges(), (std::array{Bridge::off, Bridge::off}));
+    EXPECT_EQ(rig.bridges(), both_off);
 }
 
 TEST(MoteusPair, AnEncoderThatOnlyCountsLeavesThePlaceInDoubt) {

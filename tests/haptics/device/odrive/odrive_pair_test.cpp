@@ -2,7 +2,7 @@
 #include "haptics/device/odrive/odrive_pair.h"
 
 #include "haptics/device/serial/serial_port.h"
-#include "tests/machines/sim/drives/drive_rig.h"
+#include "tests/haptics/device/drives/drive_ends.h"
 #include "tests/machines/sim/drives/real_time_hosts.h"
 
 #include <chrono>
@@ -16,53 +16,37 @@ namespace {
 
 using OdriveRig = DriveRig<OdriveMachine>;
 
-constexpr JointTorques press{0.05, -0.03};
-constexpr std::array both_off{Bridge::off, Bridge::off};
-
-void expect_refused(const std::array<OdriveTruth, 2>& axes, std::string_view words) {
-    OdriveRig rig({}, axes);
-    const auto opened = rig.driver->open();
-    ASSERT_FALSE(opened.has_value()) << words;
-    EXPECT_NE(opened.error().line.find(words), std::string::npos) << opened.error().line;
-    EXPECT_EQ(rig.driver->report().state, DriveState::refused);
-    rig.tick_for(0.2, press);
-    EXPECT_FALSE(rig.driver->write_torques(press));
-    for (const BridgeChange& change : rig.plant().changes())
-        EXPECT_EQ(change.torques, ShaftTorques{});
-    EXPECT_EQ(rig.bridges(), both_off);
-}
-
 TEST(OdrivePair, AWatchdogThatReadsBackOtherwiseGetsNoTorque) {
     for (const double factor : {0.5, 1.01, 5.0}) {
         auto axes = OdriveMachine::units();
         axes[0].watchdog_factor = factor;
-        expect_refused(axes, "axis 0 (motor 1) does not confirm its watchdog");
+        expect_refused<OdriveMachine>(axes, "axis 0 (motor 1) does not confirm its watchdog");
     }
     auto axes = OdriveMachine::units();
     axes[1].has_watchdog = false;
-    expect_refused(axes, "axis 1 (motor 2) does not confirm its watchdog");
+    expect_refused<OdriveMachine>(axes, "axis 1 (motor 2) does not confirm its watchdog");
 }
 
 TEST(OdrivePair, AnAxisThatWasNeverCalibratedGetsNoTorque) {
     auto axes = OdriveMachine::units();
     axes[1].is_calibrated = false;
-    expect_refused(axes, "axis 1 (motor 2) does not know its motor yet");
+    expect_refused<OdriveMachine>(axes, "axis 1 (motor 2) does not know its motor yet");
     axes = OdriveMachine::units();
     axes[0].is_encoder_ready = false;
-    expect_refused(axes, "axis 0 (motor 1) does not know its encoder yet");
+    expect_refused<OdriveMachine>(axes, "axis 0 (motor 1) does not know its encoder yet");
 }
 
 TEST(OdrivePair, AFirmwareThatLacksAPropertyGetsNoTorque) {
     auto axes = OdriveMachine::units();
     axes[1].knows_torque_limit = false;
-    expect_refused(axes, "lacks what force needs");
+    expect_refused<OdriveMachine>(axes, "lacks what force needs");
 }
 
 TEST(OdrivePair, AnAxisThatKeepsItsRampGetsNoTorque) {
     auto axes = OdriveMachine::units();
     axes[0].stored_input_mode = 6;
     axes[0].deaf_to_input_modes = 1000;
-    expect_refused(axes, "axis 0 (motor 1) keeps a control mode or a ramp");
+    expect_refused<OdriveMachine>(axes, "axis 0 (motor 1) keeps a control mode or a ramp");
 }
 
 TEST(OdrivePair, ARampWhoseEndWasLostInArmingIsSeenAndAZeroIsOne) {
@@ -80,40 +64,6 @@ TEST(OdrivePair, ARampWhoseEndWasLostInArmingIsSeenAndAZeroIsOne) {
         EXPECT_EQ(rig.held(), JointTorques{});
     }
     EXPECT_TRUE(rig.is_written);
-}
-
-void expect_told(OdriveRig& rig, std::size_t axis) {
-    rig.tick_for(0.3, press);
-    EXPECT_EQ(rig.driver->report().state, DriveState::refused);
-    EXPECT_EQ(rig.driver->report().trouble.motor, static_cast<int>(axis) + 1);
-    EXPECT_EQ(rig.bridges(), both_off);
-    ASSERT_TRUE(rig.driver->open().has_value());  // somebody was told and wants it so
-    rig.tick_for(0.05, press);
-    EXPECT_NEAR(norm(rig.held() - press), 0.0, 1e-4);
-}
-
-TEST(OdrivePair, AnErrorIsToldInWhicheverTickItComes) {
-    for (const std::size_t axis : {0U, 1U}) {
-        for (int ticks = 40; ticks < 44; ++ticks) {
-            SCOPED_TRACE(testing::Message() << "axis " << axis << " after " << ticks);
-            OdriveRig rig;
-            ASSERT_TRUE(rig.driver->open().has_value());
-            rig.tick_for(drive_tick_s * ticks, press);
-            rig.machine.fail(axis);
-            expect_told(rig, axis);
-        }
-    }
-}
-
-TEST(OdrivePair, AnErrorWhoseAnswersAreLateIsToldAndNotCleared) {
-    for (const std::size_t axis : {0U, 1U}) {
-        OdriveRig rig;
-        ASSERT_TRUE(rig.driver->open().has_value());
-        rig.tick_for(0.05, press);
-        rig.line->spoil(LineFault::lost_reply, 0.012);
-        rig.machine.fail(axis);
-        expect_told(rig, axis);
-    }
 }
 
 TEST(OdrivePair, AnEncoderThatOnlyCountsLeavesThePlaceInDoubt) {

@@ -58,7 +58,7 @@ TEST(SimulatedCartesian, ThePlanesSpringIsOfItsShareAndWithinTheLimit) {
     (void)device.read(0.0);
     (void)device.write({{100.0, 0.0}, {}, 0.0, 0.5});
     (void)device.read(5.0 * tick_s);
-    const double most_N = 0.5 * PlaneSpring{}.most_N;
+    const double most_N = 0.5 * cartesian_profiles().front().cartesian->spring.most_N;
     EXPECT_GE(device.acting().across_N, -most_N);
     EXPECT_LT(device.acting().across_N, -0.9 * most_N) << "all but what its damping takes";
     EXPECT_EQ(device.acting().in_plane_D, Force{}) << "off the plane";

@@ -172,7 +172,8 @@ void EmulatedLink::catch_up() {
 }
 
 void EmulatedLink::spoil(SentPacket packet) {
-    const double at_s = packet.at_s + way_s;
+    const bool is_slow = time_.now_s <= slow_until_s_;
+    const double at_s = packet.at_s + way_s + (is_slow ? slow_s_ : 0.0);
     if (!reply_fault_) return arrive(at_s, LinkStatus::done, std::move(packet.bytes));
     const PlannedFault planned = *std::exchange(reply_fault_, std::nullopt);
     std::mt19937_64 random(planned.seed);

@@ -78,6 +78,12 @@ class EmulatedLink final : public BoardLink {
         faults_ = {fault};
     }
 
+    /// For span_s, each reply comes this much later.
+    void slow(double late_s, double span_s) {
+        slow_s_ = late_s;
+        slow_until_s_ = time_.now_s + span_s;
+    }
+
     /// Acts as if the process that holds the link was killed: its transfers are cancelled, nothing
     /// passes any more, and the board keeps what it was told last.
     void sever();
@@ -105,6 +111,7 @@ class EmulatedLink final : public BoardLink {
     bool is_severed_ = false;
     PlannedFault now_;  // of the newest send
     std::optional<PlannedFault> reply_fault_;
+    double slow_s_ = 0.0, slow_until_s_ = 0.0;
     Sent sending_;
     double send_ends_s_ = 0.0;
     std::optional<PacketBytes> held_back_;  // command of a send that hangs

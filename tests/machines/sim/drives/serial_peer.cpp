@@ -54,6 +54,7 @@ void EmulatedSerial::listen() {
     while (auto sent = peer_.leave()) {
         if (is_spoilt(LineFault::lost_reply)) continue;
         sent->at_s += line_way_s;
+        if (time_.now_s <= slow_until_s_) sent->at_s += slow_s_;
         if (is_spoilt(LineFault::late_reply)) sent->at_s = std::max(sent->at_s, until_s_);
         if (takes_fault(LineFault::garbled_reply))
             sent->bytes = with_flipped_bits(std::move(sent->bytes), seed_);

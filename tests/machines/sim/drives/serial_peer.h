@@ -66,6 +66,12 @@ class EmulatedSerial final : public ByteLink {
         planned_ = Planned{at, fault, span_s, seed};
     }
 
+    /// For span_s, all that comes back comes this much later.
+    void slow(double late_s, double span_s) {
+        slow_s_ = late_s;
+        slow_until_s_ = time_.now_s + span_s;
+    }
+
     /// All that was written, as lines.
     [[nodiscard]] const std::vector<std::uint8_t>& written() const { return written_; }
 
@@ -90,6 +96,7 @@ class EmulatedSerial final : public ByteLink {
     LineFault fault_ = LineFault::none;
     double until_s_ = 0.0;
     std::uint64_t seed_ = 1;
+    double slow_s_ = 0.0, slow_until_s_ = 0.0;
     std::optional<Planned> planned_;
     std::size_t writes_ = 0;
     std::deque<SentBytes> coming_;

@@ -26,6 +26,8 @@ class ServoLife::Device final : public JointDevice {
         return angles;
     }
 
+    [[nodiscard]] Freshness freshness() const override { return life_.board_->freshness(); }
+
     [[nodiscard]] bool write_torques(JointTorques torques) override {
         if (life_.place_.sabotage == Sabotage::doubled_torque) torques = 2.0 * torques;
         if (life_.place_.sabotage == Sabotage::held_torque && torques == JointTorques{})

@@ -89,6 +89,8 @@ class MaybeBroken final : public JointDevice {
         return angles;
     }
 
+    [[nodiscard]] Freshness freshness() const override { return device_.freshness(); }
+
     [[nodiscard]] bool write_torques(JointTorques torques) override {
         return device_.write_torques(torques);
     }
