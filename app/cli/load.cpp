@@ -43,17 +43,16 @@ bool is_photo(const Page& page) {
     return traced && traced->is_photo;
 }
 
-/// Looks with the networks for which there is memory. Fails without the figure's if it is wanted.
-Result<void> look_with(const PictureNetworkFiles& files, bool is_figure_wanted, SeenView& seen) {
+/// Looks with the networks for which there is memory.
+Result<void> look_with(const PictureNetworkFiles& files, SeenView& seen) {
     const auto networks = with_room(files.networks());
     if (!networks) return tl::unexpected(networks.error());
-    if (networks->figure.empty() && !files.figure.empty())
-        seen.note = "finding its main thing needs 2 GB of free memory";
-    if (is_figure_wanted && !seen.note.empty()) return failure(seen.note);
     return find_main_things(seen.page, *networks).map([&](MainThings things) {
         seen.things = std::move(things);
-        if (!seen.things->is_sure && !networks->figure.empty())
-            seen.note = "no clear main thing was found";
+        if (seen.things->is_sure) return;
+        seen.note = networks->figure.empty() && !files.figure.empty()
+                        ? "finding its main thing needs 2 GB of free memory"
+                        : "no clear main thing was found";
     });
 }
 
@@ -62,11 +61,8 @@ Result<void> look_with(const PictureNetworkFiles& files, bool is_figure_wanted, 
 Result<void> look_for_things(bool are_wanted, SeenView& seen) {
     const bool has_views = is_photo(seen.page);
     if (!are_wanted && !has_views) return {};
-    auto files = read_picture_networks();
-    if (files && are_wanted && files->figure.empty())
-        files = tl::unexpected(read_network(*network_named("figure")).error());
-    const Result<void> looked = files.and_then(
-        [&](const PictureNetworkFiles& read) { return look_with(read, are_wanted, seen); });
+    const Result<void> looked = read_picture_networks().and_then(
+        [&](const PictureNetworkFiles& read) { return look_with(read, seen); });
     if (!looked && are_wanted) return looked;
     if (!looked) seen.note = looked.error().line;
     if (seen.things && has_views) seen.page = with_main_things(std::move(seen.page), *seen.things);
@@ -74,9 +70,8 @@ Result<void> look_for_things(bool are_wanted, SeenView& seen) {
 }
 
 std::string no_figure(const SeenView& seen) {
-    if (!is_installed(*network_named("figure")))
-        return "its main thing cannot be found here; 'touchline models get figure' brings what "
-               "finds it";
+    if (!seen.note.empty() && !is_installed(*network_named("figure")))
+        return seen.note + "; 'touchline models get figure' brings what sees more";
     return seen.note.empty() ? "it is no photograph, and is felt as a whole; choose --view whole"
                              : seen.note + "; choose --view whole";
 }

@@ -10,11 +10,15 @@
 namespace touchline {
 namespace {
 
+std::string origin(const Network& network) {
+    if (network.package.empty()) return fmt::format("trained for Touchline, {}", network.version);
+    return fmt::format("from the npm package {} {}", network.package, network.version);
+}
+
 void describe(const Network& network, std::ostream& out) {
-    fmt::print(out,
-               "{}: {}\n  from the npm package {} {}, licence {}\n  {}\n  looks at {}; {:.1f} MB\n",
-               network.name, network.job, network.package, network.version, network.licence,
-               network.note, network.input, static_cast<double>(network.bytes) / 1e6);
+    fmt::print(out, "{}: {}\n  {}, licence {}\n  {}\n  looks at {}; {:.1f} MB\n", network.name,
+               network.job, origin(network), network.licence, network.note, network.input,
+               static_cast<double>(network.bytes) / 1e6);
 }
 
 std::string whereabouts(const Network& network) {

@@ -3,10 +3,10 @@
 #include "app/documents/decode/files.h"
 #include "app/house/bundle_making.h"
 #include "app/house/house_keys.h"
+#include "app/kiosk/own_thread.h"
 #include "app/operator/settings_files.h"
 
 #include <chrono>
-#include <exception>
 #include <utility>
 
 namespace touchline {
@@ -49,25 +49,14 @@ std::vector<std::string> digit_lines(const PublicKey& key) {
 OperatorHouse::OperatorHouse(HousePlaces places, fs::path copies)
     : places_(std::move(places)), copies_(std::move(copies)) {}
 
-/// Memory and threads can run out anywhere; the kiosk goes on, and the operator hears it.
 void OperatorHouse::begin(std::function<Done()> work, const Language& language, const char* said) {
     if (work_.valid()) {
         at_once_ = told_of(language.text("bundle", "Something else is still being done. Wait."));
         return;
     }
-    const std::string begun = *said == '\0' ? "" : language.text("bundle", said);
-    try {
-        work_ = std::async(std::launch::async, [work = std::move(work), language] {
-            try {
-                return work();
-            } catch (const std::exception& error) {
-                return Done{news_of(Error{error.what()}, language), {}};
-            }
-        });
-        if (!begun.empty()) at_once_ = told_of(begun);
-    } catch (const std::exception& error) {
-        at_once_ = news_of(Error{error.what()}, language);
-    }
+    const Error nothing_left{"no memory or no thread is left for bundles; start the kiosk again"};
+    work_ = on_own_thread(std::move(work), Done{news_of(nothing_left, language), {}});
+    if (*said != '\0') at_once_ = told_of(language.text("bundle", said));
 }
 
 std::optional<HouseNews> OperatorHouse::poll() {

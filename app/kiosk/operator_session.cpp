@@ -6,6 +6,7 @@
 #include "app/documents/packs/pack_library.h"
 #include "app/house/changing.h"
 #include "app/isolation/process/places.h"
+#include "app/kiosk/own_thread.h"
 #include "app/operator/backup.h"
 #include "app/operator/pin.h"
 #include "app/operator/settings_files.h"
@@ -98,15 +99,11 @@ Outcome import_network(std::span<const std::byte> bytes, const std::string& name
 
 /// Waits for the stick and for workers, so it runs beside the screen's thread.
 Outcome imported(const Brought& file, const fs::path& library, const Language& language) {
-    try {
-        const auto bytes = file.read();
-        if (!bytes) return bytes.error();
-        return file.kind == StickFileKind::network
-                   ? import_network(bytes->bytes(), file.name, language)
-                   : import_pictures(bytes->bytes(), file.name, library, language);
-    } catch (const std::exception&) {
-        return {language.text("operator", "There is not enough memory for this file."), ""};
-    }
+    const auto bytes = file.read();
+    if (!bytes) return bytes.error();
+    return file.kind == StickFileKind::network
+               ? import_network(bytes->bytes(), file.name, language)
+               : import_pictures(bytes->bytes(), file.name, library, language);
 }
 
 }  // namespace
@@ -389,10 +386,10 @@ void OperatorSession::import_from_stick(std::size_t file, const Language& langua
     const auto files = stick_files(false);
     if (file >= files.size() || import_.valid()) return;
     const std::size_t at = files[file];
-    import_ =
-        std::async(std::launch::async, imported,
-                   Brought{reader_of(stick_, at, language), stick_.kind_of(at), stick_.names()[at]},
-                   files_.library, language);
+    import_ = on_own_thread(
+        [file = Brought{reader_of(stick_, at, language), stick_.kind_of(at), stick_.names()[at]},
+         library = files_.library, language] { return imported(file, library, language); },
+        Outcome{language.text("operator", "There is not enough memory for this file."), ""});
 }
 
 void OperatorSession::look_at_house_file(std::size_t file, const Language& language) {

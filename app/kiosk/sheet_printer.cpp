@@ -1,6 +1,7 @@
 #include "app/kiosk/sheet_printer.h"
 
 #include "app/isolation/process/thread_signals.h"
+#include "app/kiosk/own_thread.h"
 
 #include <algorithm>
 #include <chrono>
@@ -38,17 +39,13 @@ PrintEnd end_of(std::future<PrintEnd>& work) {
 
 }  // namespace
 
-std::future<PrintEnd> on_own_thread(std::function<PrintEnd()> work) {
-    try {
-        return std::async(std::launch::async, [work = std::move(work)] {
+std::future<PrintEnd> print_beside(std::function<PrintEnd()> work) {
+    return on_own_thread(
+        [work = std::move(work)] {
             leave_signals_to_main_thread();
             return work();
-        });
-    } catch (const std::exception&) {
-        std::promise<PrintEnd> answer;
-        answer.set_value(PrintEnd::not_started);
-        return answer.get_future();
-    }
+        },
+        PrintEnd::not_started);
 }
 
 /// A future of std::async waits for its thread.

@@ -30,7 +30,7 @@ struct Printing {
 using PrintStart = std::function<std::future<PrintEnd>(std::function<PrintEnd()> work)>;
 
 /// On a thread of its own; a machine that has none left answers at once.
-[[nodiscard]] std::future<PrintEnd> on_own_thread(std::function<PrintEnd()> work);
+[[nodiscard]] std::future<PrintEnd> print_beside(std::function<PrintEnd()> work);
 
 /// A printer of sheets; in tests, one that obeys the test's clock.
 class SitePrinter : public Interface {
@@ -56,7 +56,7 @@ class SheetPrinter final : public SitePrinter {
     static constexpr double check_every_s = 300.0;
     static constexpr double watched_check_every_s = 10.0;
 
-    explicit SheetPrinter(Printing printing, PrintStart start = on_own_thread)
+    explicit SheetPrinter(Printing printing, PrintStart start = print_beside)
         : printing_(std::move(printing)), start_(std::move(start)) {}
 
     ~SheetPrinter() override;

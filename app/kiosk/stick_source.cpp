@@ -7,6 +7,7 @@
 #include "app/documents/sticks/names.h"
 #include "app/isolation/process/memory.h"
 #include "app/kiosk/loading/kiosk_stages.h"
+#include "app/kiosk/own_thread.h"
 
 #include <atomic>
 #include <chrono>
@@ -234,8 +235,8 @@ std::optional<FilesChange> StickSource::poll(std::int64_t now_ns) {
     }
     if (is_due_ && !listing_.valid()) {
         is_due_ = false;
-        listing_ = std::async(std::launch::async,
-                              [reader = reader_, root = root_] { return reader->list(root); });
+        listing_ = on_own_thread([reader = reader_, root = root_] { return reader->list(root); },
+                                 tl::unexpected(StickRefusal::not_started));
     }
     return change;
 }
@@ -288,9 +289,11 @@ std::string OperatorStick::poll() {
     if (has_ended) sentence = take(listing_.get());
     if (is_due_ && !listing_.valid()) {
         is_due_ = false;
-        listing_ = std::async(std::launch::async, [reader = reader_, root = root_] {
-            return Listed{root, reader->list_operator_files(root)};
-        });
+        listing_ = on_own_thread(
+            [reader = reader_, root = root_] {
+                return Listed{root, reader->list_operator_files(root)};
+            },
+            Listed{root_, tl::unexpected(StickRefusal::not_started)});
     }
     return sentence;
 }

@@ -8,8 +8,8 @@
 
 namespace touchline {
 
-/// From tick to tick of a loop that rests. Shorter than every silence that somebody answers: 10 ms
-/// are a gap of the loop, 12 ms too many for the guard, 20 ms for motors with a watchdog.
+/// The time between ticks of a loop that rests. Every silence that somebody answers is longer: 10
+/// ms are a gap of the loop, 12 ms too many for the guard, 20 ms for motors with a watchdog.
 inline constexpr double resting_period_s = 0.008;
 
 /// Returns how many periods a loop that rests lets pass from tick to tick; one where its period is

@@ -1,6 +1,6 @@
 #include "vision/contour/main_shape.h"
 
-#include "config/types/pinned.h"
+#include "vision/contour/fixed_random_state.h"
 #include "vision/contour/gradient.h"
 #include "vision/contour/region_map.h"
 #include "vision/contour/rings.h"
@@ -91,17 +91,6 @@ cv::Mat1b seeded_by_spot(const LabPicture& lab, const cv::Point& spot) {
     cv::rectangle(seed, cv::Rect({}, lab.size()), cv::GC_BGD, 1);
     return seed;
 }
-
-/// Gives the same random numbers on every call, whatever else used the thread's random state.
-class FixedRandomState : Pinned {
-  public:
-    FixedRandomState() : before_(cv::theRNG().state) { cv::theRNG().state = 20051; }
-
-    ~FixedRandomState() { cv::theRNG().state = before_; }
-
-  private:
-    std::uint64_t before_;
-};
 
 /// Returns the largest part of the object (or the one at the spot), with holes filled; empty if
 /// there is none.

@@ -1,5 +1,6 @@
 #include "vision/figure/small_figure_network.h"
 
+#include "vision/figure/figure_colours.h"
 #include "vision/figure/figure_cues.h"
 
 #include <utility>
@@ -10,6 +11,7 @@ namespace {
 constexpr int side_px = 256;
 constexpr int answer_px = side_px / 4;
 constexpr int colour_count = 3;
+constexpr float figure_from = 0.45F;  // measured: tests/lab/figure_network/README.md
 
 /// Returns the network's input for a picture of its size: colours, then cues.
 cv::Mat planes_of(const cv::Mat3b& picture) {
@@ -37,8 +39,10 @@ Result<SmallFigureNetwork> SmallFigureNetwork::from_onnx(std::span<const std::by
 }
 
 Result<cv::Mat1f> SmallFigureNetwork::likelihood(const cv::Mat3b& picture) {
-    return network_.likelihoods(planes_of(stretched(picture, {side_px, side_px})),
-                                {1, 1, answer_px, answer_px});
+    return network_
+        .likelihoods(planes_of(stretched(picture, {side_px, side_px})),
+                     {1, 1, answer_px, answer_px})
+        .map([&](const cv::Mat1f& seen) { return drawn_by_colours(seen, figure_from, picture); });
 }
 
 }  // namespace touchline

@@ -43,6 +43,18 @@ constexpr std::array known{
         .bytes = 44386507,
         .sha256 = "94165dca050dc1add08176c226c94bcada43fe1efada7893283fff74975e909d",
     },
+    Network{
+        .name = "small-figure",
+        .job = "Finds the main thing of a photograph where \"figure\" is not installed.",
+        .version = "1",
+        .licence = "GPL-3.0-or-later",
+        .note = "Trained for Touchline, from pictures of packages of Debian.",
+        .input = "256 x 256 pixels",
+        .ships = true,
+        .file = "small_figure.onnx",
+        .bytes = 1288054,
+        .sha256 = "adc9c63cc3142f2a8a079c84a082acfb8a1e0891d1d9a6a43d7fd6abdba2b2ec",
+    },
     shipped({
         .name = "nanodet",
         .job = "Finds things of 80 everyday kinds in a photograph, so that they can be named.",
@@ -195,6 +207,7 @@ Result<PictureNetworkFiles> read_picture_networks() {
     using Bytes = std::vector<std::byte>;
     constexpr std::pair<std::string_view, Bytes PictureNetworkFiles::*> places[] = {
         {"figure", &PictureNetworkFiles::figure},
+        {"small-figure", &PictureNetworkFiles::small_figure},
         {"nanodet", &PictureNetworkFiles::names},
         {"blazeface", &PictureNetworkFiles::faces},
         {"facemesh", &PictureNetworkFiles::meshes},

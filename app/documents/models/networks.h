@@ -17,7 +17,7 @@ namespace touchline {
 struct Network {
     std::string_view name = {};     // on the command line
     std::string_view job = {};      // one sentence: what it does for a visitor
-    std::string_view package = {};  // in the npm registry
+    std::string_view package = {};  // in the npm registry; empty: trained for Touchline
     std::string_view version = {};
     std::string_view package_sha256 = {};
     std::string_view licence = {};    // as its publisher states it
@@ -70,7 +70,8 @@ struct Network {
 
 /// The networks that look at a photograph: the bytes of their files, which lie elsewhere.
 struct PictureNetworks {
-    std::span<const std::byte> figure = {};  // empty: it is not installed
+    std::span<const std::byte> figure = {};        // empty: it is not installed
+    std::span<const std::byte> small_figure = {};  // finds the same, less surely
     std::span<const std::byte> names = {};
     std::span<const std::byte> faces = {};
     std::span<const std::byte> meshes = {};
@@ -80,6 +81,7 @@ struct PictureNetworks {
 /// The same with the bytes in it.
 struct PictureNetworkFiles {
     std::vector<std::byte> figure;  // empty: not installed
+    std::vector<std::byte> small_figure;
     std::vector<std::byte> names;
     std::vector<std::byte> faces;
     std::vector<std::byte> meshes;
@@ -87,7 +89,7 @@ struct PictureNetworkFiles {
 
     /// The bytes stay in this object.
     [[nodiscard]] PictureNetworks networks() const {
-        return {figure, names, faces, meshes, persons};
+        return {figure, small_figure, names, faces, meshes, persons};
     }
 };
 

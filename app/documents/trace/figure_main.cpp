@@ -11,6 +11,7 @@
 #include "vision/contour/gradient.h"
 #include "vision/face/face_network.h"
 #include "vision/figure/figure_network.h"
+#include "vision/figure/small_figure_network.h"
 #include "vision/name/name_network.h"
 #include "vision/name/names.h"
 
@@ -62,10 +63,22 @@ Result<Figures> figures_by(const Likelihood& likelihood, cv::Size picture,
     });
 }
 
-/// The figures of the figure's network, which sees the picture at its own size; none without it.
+/// The figures of the small network of the figure.
+Result<Figures> figures_of_small(const cv::Mat3b& picture, const PictureNetworks& networks,
+                                 const std::optional<PlaceInPicture>& place) {
+    auto network = SmallFigureNetwork::from_onnx(networks.small_figure);
+    if (!network) return tl::unexpected(network.error());
+    const Likelihood likelihood = [&](const cv::Rect& part) {
+        return network->likelihood(reduced(picture(part), most_pixels));
+    };
+    return figures_by(likelihood, picture.size(), place);
+}
+
+/// The figures of the figure's network, which sees the picture at its own size; without it, those
+/// of the small one.
 Result<Figures> figures_in(const cv::Mat3b& picture, const PictureNetworks& networks,
                            const std::optional<PlaceInPicture>& place) {
-    if (networks.figure.empty()) return figures_of(cv::Mat1f(1, 1, 0.0F), picture.size());
+    if (networks.figure.empty()) return figures_of_small(picture, networks, place);
     auto network = FigureNetwork::from_onnx(networks.figure);
     if (!network) return tl::unexpected(network.error());
     const Likelihood likelihood = [&](const cv::Rect& part) {

@@ -47,15 +47,16 @@ struct MainThings {
 };
 
 /// The networks in their order among the inputs of their worker (traced.h).
-inline constexpr std::size_t picture_network_count = 5;
+inline constexpr std::size_t picture_network_count = 6;
 
 [[nodiscard]] inline ThingsInBytes things_of(const PictureNetworks& networks) {
-    return {networks.figure, networks.names, networks.faces, networks.meshes, networks.persons};
+    return {networks.figure, networks.small_figure, networks.names,
+            networks.faces,  networks.meshes,       networks.persons};
 }
 
 /// Takes the first of `things`, which must hold at least as many.
 [[nodiscard]] inline PictureNetworks networks_in(const ThingsInBytes& things) {
-    return {things[0], things[1], things[2], things[3], things[4]};
+    return {things[0], things[1], things[2], things[3], things[4], things[5]};
 }
 
 /// The networks for which there is memory: without the figure's if less than 2 GB are free. Fails

@@ -160,7 +160,9 @@ Result<OpenedDevice> open_motors(const MotorsDevice& device, const Opening& open
 Result<void> zero_motors(const MotorsDevice& device) {
     const auto motors = take_motors(device);
     if (!motors) return tl::unexpected(motors.error());
-    if ((*motors)->stop()) return {};
+    // A busy machine holds up a serial port, and nobody should cut the power for that.
+    constexpr int longest_ms = 1000;
+    if ((*motors)->stop(longest_ms)) return {};
     return failure("the motors' controllers did not confirm that they let go: cut their power");
 }
 

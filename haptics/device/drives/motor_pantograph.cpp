@@ -14,7 +14,6 @@ constexpr int most_attempts = 3;
 constexpr int jumps_that_count = 3;
 constexpr double pause_s = 0.001;
 constexpr int longest_zero_ms = 20;
-constexpr int longest_end_ms = 50;
 
 }  // namespace
 
@@ -80,10 +79,10 @@ bool MotorPantograph::end_in_zero() {
     return wait_for(&PairNews::is_let_go, longest_end_ms);
 }
 
-bool MotorPantograph::stop() {
+bool MotorPantograph::stop(int longest_ms) {
     if (!pair_) return false;
     pair_->let_go();
-    const bool is_let_go = wait_for(&PairNews::is_let_go, longest_end_ms);
+    const bool is_let_go = wait_for(&PairNews::is_let_go, longest_ms);
     pair_.reset();
     report_.state = is_let_go ? DriveState::closed : DriveState::lost;
     return is_let_go;

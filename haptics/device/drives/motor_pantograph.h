@@ -36,6 +36,9 @@ struct DriveReport {
 /// Threads: as ForceDevice. Only open(), end_in_zero(), stop() and the destructor wait.
 class MotorPantograph final : public JointDevice {
   public:
+    /// Their watchdogs have let go long before.
+    static constexpr int longest_end_ms = 50;
+
     /// `drives` must have passed check(). The torque limit is the profile's.
     MotorPantograph(std::unique_ptr<MotorPair> pair, const DeviceProfile& profile,
                     const JointDrives& drives);
@@ -66,9 +69,9 @@ class MotorPantograph final : public JointDevice {
 
     /// Lets the motors go and gives the device back. Returns true if both controllers confirmed,
     /// after they were told to, that their motors are let go. Also works for controllers that
-    /// another program drove. Takes some milliseconds, or 50 before it gives up. Nothing is read or
-    /// written afterwards.
-    bool stop();
+    /// another program drove. Takes some milliseconds, or `longest_ms` before it gives up. Nothing
+    /// is read or written afterwards.
+    bool stop(int longest_ms = longest_end_ms);
 
     /// After `jumped`, or in doubt: takes the angles as they are. Call it only with the force off.
     void accept_position();

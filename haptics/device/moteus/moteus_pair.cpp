@@ -129,7 +129,7 @@ void MoteusPair::complete(const Exchange& exchange) {
     if (stage_ == Stage::stop && are_stopped) go(Stage::drain);
 }
 
-// Of two faults at once the first is told.
+// Tells the first of two faults.
 bool MoteusPair::tells_fault(const Exchange& exchange) {
     for (std::size_t motor = 0; motor < 2; ++motor) {
         const MoteusStatus& said = exchange.status[motor];

@@ -168,7 +168,7 @@ void OdrivePair::look(const Burst& burst) {
     if (stage_ == Stage::look) go(Stage::arm);
 }
 
-// Of two faults at once the first is told.
+// Tells the first of two faults.
 void OdrivePair::judge_axes(const Burst& burst) {
     for (std::size_t i = 0; i < burst.count; ++i) {
         const Question& q = burst.questions[i];

@@ -34,6 +34,15 @@ TEST(Drawn, AHandFeelsAPictureWhileNobodyIsHereAndNoLonger) {
     EXPECT_EQ(world.kiosk().drawn().shown.scene, nullptr);
 }
 
+TEST(Drawn, TheServoMayRestWhileNobodyIsHereAndNoLonger) {
+    KioskWorld world;
+    world.run(0.1);
+    EXPECT_TRUE(world.servo().commands().may_rest);
+    EXPECT_FALSE(world.servo().commands().is_force_wanted);
+    world.press(KeyRole::select);
+    EXPECT_FALSE(world.servo().commands().may_rest);
+}
+
 TEST(Drawn, EachPictureOfTheGalleryHasItsLines) {
     KioskWorld world;
     world.run(0.1);

@@ -2,14 +2,12 @@
 // machine's speed: each waits for something to happen, with a limit far off.
 #pragma once
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 namespace touchline {
@@ -28,18 +26,7 @@ class KioskProgram : public testing::Test {
     /// Runs a script and returns its exit status. In it, `kiosk ARGUMENTS` starts the program,
     /// `keys KEY ...` presses keys in its window, `wait_for PATTERN FILE` waits for words, `quit`
     /// asks to quit and says yes, and `finish` ends with the program's status.
-    int run_script(const std::string& script, bool has_display = true) {
-        const std::filesystem::path path = folder_ / "script.sh";
-        std::ofstream(path) << "cd '" << folder_.string() << "'\n" << tools << script << '\n';
-        const std::string settings =
-            "TOUCHLINE_SETTINGS='" + (folder_ / "kiosk.toml").string() + "' ";
-        const std::string display = has_display
-                                        ? "LP_NUM_THREADS=1 xvfb-run -a -s '-screen 0 1024x768x24' "
-                                        : "env -u DISPLAY -u WAYLAND_DISPLAY ";
-        const int status =
-            std::system((settings + display + "timeout 240 bash '" + path.string() + "'").c_str());
-        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    }
+    int run_script(const std::string& script, bool has_display = true);
 
     [[nodiscard]] std::string text_of(const char* name) const {
         std::ifstream file(folder_ / name);
@@ -60,20 +47,6 @@ class KioskProgram : public testing::Test {
     std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) /
                                     (std::to_string(getpid()) + "-" +
                                      testing::UnitTest::GetInstance()->current_test_info()->name());
-
-  private:
-    static constexpr const char* tools = "program='" TOUCHLINE_PROGRAM
-                                         "'\n"
-                                         "export TOUCHLINE_GALLERY='" TOUCHLINE_SOURCE_DIR
-                                         "/app/documents/gallery/pictures'\n"
-                                         "export TOUCHLINE_RECORDINGS=kept\n"
-                                         R"(
-kiosk() { "$program" "$@" >out.txt 2>err.txt & pid=$!; }
-keys() { timeout 100 xdotool search --sync --name '^Touchline$' key --delay 150 "$@" >/dev/null 2>&1; }
-wait_for() { for _ in $(seq 1000); do grep -q "$1" "$2" && return; sleep 0.1; done; }
-finish() { wait "$pid"; exit $?; }
-quit() { keys q Down Return; finish; }
-)";
 };
 
 }  // namespace touchline

@@ -63,12 +63,12 @@ class Material:
 
 
 class Composer:
-    def __init__(self, material, side, seed):
-        self.material, self.side, self.seed = material, side, seed
+    def __init__(self, material, side, seed, marked_share=.3):
+        self.material, self.side, self.seed, self.marked_share = material, side, seed, marked_share
 
     def sample(self, number):
         self.r = np.random.RandomState([self.seed & 0xffffffff, number])
-        if self.material.marked and self.chance(.3):
+        if self.material.marked and self.chance(self.marked_share):
             picture, share = self.marked()
         else:
             picture, share = self.composed()

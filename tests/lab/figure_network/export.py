@@ -1,10 +1,6 @@
 #!/usr/bin/python3
-"""export.py OUT/state.pt NETWORK.onnx [LIMIT]: what train.py learned, as OpenCV 4.6 reads it, with weights of 8 bits.
-
-LIMIT is the likelihood of the trained network from which a place is figure; it becomes the 0.3 of vision/figure/figures.h.
-judge.py says which is best on held-out photographs."""
+"""export.py OUT/state.pt NETWORK.onnx: what train.py learned, as OpenCV 4.6 reads it, with weights of 8 bits."""
 import io
-import math
 import os
 import sys
 
@@ -19,33 +15,23 @@ import figure  # noqa: E402
 from network import FigureNet  # noqa: E402
 
 SIDE = 256
-LIMIT_THERE = .3
-
-
-def odds(likelihood):
-    return math.log(likelihood / (1 - likelihood))
 
 
 class Likely(torch.nn.Module):
-    """The network with its limit moved to that of figures.h."""
-
-    def __init__(self, net, limit):
+    def __init__(self, net):
         super().__init__()
-        self.net, self.shift = net, odds(LIMIT_THERE) - odds(limit)
-        with torch.no_grad():
-            net.answer.bias += self.shift
+        self.net = net
 
     def forward(self, x):
         return torch.sigmoid(self.net(x))
 
 
 def main():
-    state, out = sys.argv[1:3]
-    limit = float(sys.argv[3]) if len(sys.argv) > 3 else .5
+    state, out = sys.argv[1:]
     net = FigureNet()
     net.load_state_dict(torch.load(state)['mean'])
     data = io.BytesIO()
-    torch.onnx.export(Likely(net, limit).eval(), torch.zeros(1, 9, SIDE, SIDE), data, opset_version=11,
+    torch.onnx.export(Likely(net).eval(), torch.zeros(1, 9, SIDE, SIDE), data, opset_version=11,
                       input_names=['planes'], output_names=['likelihood'])
     figure.KEPT += ('GlobalAveragePool',)
     graph = figure.Graph(onnx.load_from_string(data.getvalue()).graph)

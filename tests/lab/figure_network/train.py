@@ -1,9 +1,10 @@
 #!/usr/bin/python3
-"""train.py MATERIAL LIBRARY OUT [--steps N] [--side S] [--rate R] [--batch B] [--anew N]: trains the network of the figure.
+"""train.py MATERIAL LIBRARY OUT [--steps N] [--side S] [--rate R] [--batch B] [--marked M] [--anew N]: trains the network of
+the figure.
 
 One processor, one thread. OUT/state.pt is written every 200 steps: the same command goes on from there. OUT/log.csv gets a
 row each time: step, hours, loss, and the mean intersection over union with held-out figures, and with held-out marked
-photographs. --anew N: forget the rate's fall and learn N more steps from the state."""
+photographs. --marked M: so large a share are marked photographs. --anew N: forget the rate's fall and learn N more steps from the state."""
 import argparse
 import csv
 import os
@@ -56,7 +57,7 @@ def main():
     parser.add_argument('library')
     parser.add_argument('out')
     for name, kind, default in (('steps', int, 6000), ('side', int, 192), ('rate', float, 2e-3), ('batch', int, 12),
-                                ('anew', int, 0), ('seed', int, 1)):
+                                ('anew', int, 0), ('seed', int, 1), ('marked', float, .3)):
         parser.add_argument('--' + name, type=kind, default=default)
     chosen = parser.parse_args()
     torch.set_num_threads(1)
@@ -64,7 +65,7 @@ def main():
     torch.manual_seed(chosen.seed)
     os.makedirs(chosen.out, exist_ok=True)
     cues = compose.Cues(chosen.library)
-    maker = compose.Composer(compose.Material(chosen.material, False), chosen.side, chosen.seed)
+    maker = compose.Composer(compose.Material(chosen.material, False), chosen.side, chosen.seed, chosen.marked)
     held = compose.Material(chosen.material, True)
     held_maker = compose.Composer(held, chosen.side, 7)
     held_maker.material.photos = []

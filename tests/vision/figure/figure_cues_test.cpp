@@ -1,6 +1,8 @@
 // The pictures are made for the test: a thing on grounds of other colours.
 #include "vision/figure/figure_cues.h"
 
+#include "tests/vision/figure/with_noise.h"
+
 #include <algorithm>
 
 #include <gtest/gtest.h>
@@ -17,12 +19,7 @@ cv::Mat3b disc_on_ground() {
     cv::Mat3b picture(128, 128);
     for (int y = 0; y < picture.rows; ++y) picture.row(y).setTo(cv::Scalar::all(90 + y / 2));
     cv::circle(picture, in_thing, 25, cv::Scalar(40, 50, 190), cv::FILLED);
-    cv::RNG random(7);
-    cv::Mat3s noise(picture.size());
-    random.fill(noise, cv::RNG::NORMAL, 0.0, 4.0);
-    cv::Mat3b noisy;
-    cv::add(picture, noise, noisy, {}, CV_8UC3);
-    return noisy;
+    return with_noise(picture, 4.0, 7);
 }
 
 double at(const std::array<cv::Mat1f, figure_cue_count>& cues, FigureCue cue, cv::Point place) {

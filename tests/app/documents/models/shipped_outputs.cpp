@@ -1,6 +1,7 @@
 #include "tests/app/documents/models/shipped_outputs.h"
 
 #include "app/documents/models/networks.h"
+#include "vision/figure/small_figure_network.h"
 #include "vision/network/trained_network.h"
 
 #include <array>
@@ -12,6 +13,12 @@
 
 namespace touchline::testing {
 namespace {
+
+template <class T>
+T value_of(Result<T> result) {
+    if (!result) throw std::runtime_error(result.error().line);
+    return std::move(*result);
+}
 
 using Colour = std::array<double, 3>;  // 0 ... 255, in the network's own order of planes
 
@@ -89,6 +96,20 @@ std::vector<Shipped> shipped() {
         {"selfie", 256, 0, 255, {{1, 256, 256, 1}}}};
 }
 
+/// The small network of the figure sees what is computed of a picture, too.
+cv::Mat1f small_figure_of(const Drawing& drawing, SmallFigureNetwork& network) {
+    constexpr int side_px = 256;
+    cv::Mat3b picture(side_px, side_px);
+    for (int y = 0; y < side_px; ++y)
+        for (int x = 0; x < side_px; ++x) {
+            const Colour rgb = colour_at(drawing, (x + 0.5) / side_px, (y + 0.5) / side_px);
+            picture(y, x) =
+                cv::Vec3b(cv::saturate_cast<uchar>(rgb[2]), cv::saturate_cast<uchar>(rgb[1]),
+                          cv::saturate_cast<uchar>(rgb[0]));
+        }
+    return value_of(network.likelihood(picture));
+}
+
 cv::Mat input_of(const Drawing& drawing, const Shipped& network) {
     const int side_px = network.side_px;
     cv::Mat input(std::vector<int>{1, 3, side_px, side_px}, CV_32F);
@@ -118,12 +139,6 @@ std::vector<double> numbers_of(const cv::Mat1f& output) {
     return numbers;
 }
 
-template <class T>
-T value_of(Result<T> result) {
-    if (!result) throw std::runtime_error(result.error().line);
-    return std::move(*result);
-}
-
 }  // namespace
 
 std::vector<OutputRow> shipped_outputs() {
@@ -141,6 +156,11 @@ std::vector<OutputRow> shipped_outputs() {
                                 numbers_of(outputs[i])});
         }
     }
+    auto small = value_of(
+        SmallFigureNetwork::from_onnx(value_of(read_network(*network_named("small-figure")))));
+    for (const Drawing& drawing : drawings())
+        rows.push_back({"small-figure," + std::string(drawing.name) + ",64x64",
+                        numbers_of(small_figure_of(drawing, small))});
     return rows;
 }
 

@@ -130,13 +130,17 @@ TEST(FindingThings, WhereNothingStandsOutItIsNotSure) {
     EXPECT_EQ(view_count(with_main_things(page, *things)), 1);
 }
 
-TEST(FindingThings, WithoutANetworkOfMainThingsThereIsNone) {
+TEST(FindingThings, WithoutTheLargeNetworkTheSmallOneThatShipsFindsAThing) {
+    Page page = red_discs();
     PictureNetworks some = networks();
     some.figure = {};
-    const auto things = find_main_things(red_discs(), some);
+    const auto things = find_main_things(page, some);
     ASSERT_TRUE(things) << things.error().line;
-    EXPECT_FALSE(things->is_sure);
-    EXPECT_TRUE(things->boxes.empty());
+    ASSERT_FALSE(things->boxes.empty());
+    EXPECT_NEAR(things->boxes[0].left, 80.0 / 700, 0.05);
+    EXPECT_NEAR(things->boxes[0].right, 320.0 / 700, 0.05);
+    EXPECT_NEAR(things->boxes[0].top, 130.0 / 500, 0.05);
+    EXPECT_NEAR(things->boxes[0].bottom, 370.0 / 500, 0.05);
     EXPECT_TRUE(things->faces.empty());
 }
 

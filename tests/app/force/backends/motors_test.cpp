@@ -122,7 +122,7 @@ TEST_F(Motors, HomeFindsTheZerosProbeAsksAndStopLetsGo) {
     options.action = DeviceAction::stop;
     const CommandEnd stopped = command_moteus(options, out);
     EXPECT_TRUE(stopped.was_there);
-    EXPECT_TRUE(stopped.result.has_value());
+    EXPECT_TRUE(stopped.result.has_value()) << stopped.result.error().line;
     EXPECT_NE(out.str().find("are let go: confirmed"), std::string::npos);
 }
 

@@ -6,6 +6,7 @@
 #include "tests/machines/sim/inverse3/service_server.h"
 
 #include <algorithm>
+#include <csignal>
 #include <string>
 #include <vector>
 

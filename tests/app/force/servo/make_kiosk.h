@@ -5,18 +5,12 @@
 #include "app/isolation/process/child.h"
 #include "config/types/pinned.h"
 
-#include <csignal>
 #include <filesystem>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <memory>
 #include <string>
 
-#include <gtest/gtest.h>
-#include <poll.h>
-#include <sys/prctl.h>
-#include <sys/wait.h>
+#include <sys/types.h>
 
 namespace touchline {
 
@@ -25,68 +19,24 @@ class MakeKiosk : private Pinned {
     /// `look`: what the person at the handle does at each look, a thousand times a second, with the
     /// words that count now.
     MakeKiosk(const std::string& make, const std::string& port,
-              std::function<void(const std::string& words)> look)
-        : look_(std::move(look)),
-          told_(std::filesystem::path(testing::TempDir()) /
-                ("touchline-told-" + std::to_string(getpid()))) {
-        // Servos of dead kiosks become children of this process.
-        prctl(PR_SET_CHILD_SUBREAPER, 1UL, 0UL, 0UL, 0UL);
-        kiosk_ = std::make_unique<Child>(
-            Child::start(TOUCHLINE_SERVO_RIG, {"make-kiosk", make, port, told_.string()}, {},
-                         StandardStreams::ours, {"LD_PRELOAD=" TOUCHLINE_SOCKET_TERMINAL})
-                .value());
-    }
+              std::function<void(const std::string& words)> look);
 
-    ~MakeKiosk() {
-        const pid_t last = servo();
-        kiosk_->kill();
-        (void)kiosk_->reap();
-        if (last != 0) kill(last, SIGKILL);
-        while (waitpid(-1, nullptr, 0) > 0) {
-        }
-        std::filesystem::remove(told_);
-    }
+    ~MakeKiosk();
 
     [[nodiscard]] pid_t pid() const { return kiosk_->pid(); }
 
     /// The only child of the kiosk's guard; 0 if there is none.
-    [[nodiscard]] pid_t servo() const {
-        const std::string tasks = "/proc/" + std::to_string(pid()) + "/task";
-        std::error_code error;
-        for (const auto& task : std::filesystem::directory_iterator(tasks, error)) {
-            std::ifstream children(task.path() / "children");
-            if (pid_t child = 0; children >> child) return child;
-        }
-        return 0;
-    }
+    [[nodiscard]] pid_t servo() const;
 
     /// All that kiosk and servo said.
-    [[nodiscard]] std::string told() const {
-        std::ifstream file(told_);
-        return {std::istreambuf_iterator<char>(file), {}};
-    }
+    [[nodiscard]] std::string told() const;
 
     /// The device's words that count now; empty: nothing is to be done.
-    [[nodiscard]] std::string words() const {
-        constexpr std::string_view before = "words: ";
-        const std::string all = told();
-        const auto at = all.rfind(before);
-        if (at == std::string::npos) return {};
-        const auto from = at + before.size();
-        return all.substr(from, all.find('\n', from) - from);
-    }
+    [[nodiscard]] std::string words() const;
 
     /// Looks until the condition holds, or about two minutes have passed: a guard that had to kill
     /// its servo on a busy machine waits longer each time.
-    [[nodiscard]] bool looks_until(const std::function<bool()>& condition) const {
-        constexpr int longest_wait_ms = 100'000;
-        for (int i = 0; i < longest_wait_ms; ++i) {
-            look_(words());
-            if (condition()) return true;
-            poll(nullptr, 0, 1);
-        }
-        return false;
-    }
+    [[nodiscard]] bool looks_until(const std::function<bool()>& condition) const;
 
   private:
     std::function<void(const std::string&)> look_;

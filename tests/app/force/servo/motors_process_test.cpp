@@ -8,6 +8,7 @@
 #include "tests/machines/sim/drives/shared_peer.h"
 
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 #include <optional>
 #include <string>
@@ -103,6 +104,17 @@ class MotorsProcess : public testing::Test {
         EXPECT_EQ(changes_since(from_s).back().bridges, (std::array{Bridge::off, Bridge::off}));
     }
 
+    /// Nobody is left who could tell the controllers anything: the guard is frozen before its servo
+    /// gets the signal.
+    void expect_free_without_a_guard(int signal) {
+        const auto from_s = end_while_pulling([&] {
+            kill(kiosk_->pid(), SIGSTOP);
+            kill(kiosk_->servo(), signal);
+        });
+        ASSERT_TRUE(from_s);
+        expect_free_for_good(*from_s);
+    }
+
     /// The guard starts another servo, which has the motors tried anew before any force.
     void expect_a_new_trial(int signal) {
         const auto from_s = end_while_pulling([&] { kill(kiosk_->servo(), signal); });
@@ -140,23 +152,12 @@ class MotorsProcess : public testing::Test {
 using ProcessMachines = testing::Types<MoteusMachine, OdriveMachine>;
 TYPED_TEST_SUITE(MotorsProcess, ProcessMachines);
 
-/// Nobody is left who could tell the controllers anything.
 TYPED_TEST(MotorsProcess, TheWatchdogsLetGoIfTheWholeComputerStops) {
-    const auto from_s = this->end_while_pulling([this] {
-        kill(this->kiosk_->pid(), SIGSTOP);
-        kill(this->kiosk_->servo(), SIGSTOP);
-    });
-    ASSERT_TRUE(from_s);
-    this->expect_free_for_good(*from_s);
+    this->expect_free_without_a_guard(SIGSTOP);
 }
 
 TYPED_TEST(MotorsProcess, TheWatchdogsLetGoOfAKilledServoWithoutAGuard) {
-    const auto from_s = this->end_while_pulling([this] {
-        kill(this->kiosk_->pid(), SIGSTOP);
-        kill(this->kiosk_->servo(), SIGKILL);
-    });
-    ASSERT_TRUE(from_s);
-    this->expect_free_for_good(*from_s);
+    this->expect_free_without_a_guard(SIGKILL);
 }
 
 /// A controller's own words reach the log, not only that the device was lost.

@@ -119,7 +119,7 @@ class Conformance : public testing::TestWithParam<RigRow> {
         return seen;
     }
 
-    /// Of a five-bar the chain bounds the force, and the device only its motors' torques.
+    /// The chain bounds a five-bar's force, and the device only its motors' torques.
     void expect_within_limit(Force made_D) {
         const DeviceProfile& profile = rig().profile();
         if (!has_joints(profile)) {

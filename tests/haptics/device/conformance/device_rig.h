@@ -43,7 +43,7 @@ class DeviceRig : public Interface {
     /// Cuts it: nothing comes through any more, as when a plug is pulled or a service ends.
     virtual void cut() = 0;
 
-    /// From now on nothing answers any more, but the line stays, and what is sent arrives.
+    /// Nothing answers from now on, but the line stays, and what is sent arrives.
     virtual void fall_silent() = 0;
 
     /// Makes a line that was cut whole again. Then open() may be called.
@@ -52,7 +52,7 @@ class DeviceRig : public Interface {
     /// Spoils the next answer: some of its bits or words are others, by `seed`.
     virtual void garble_next(unsigned seed) = 0;
 
-    /// For this many ticks each answer comes later by late_s, in the same order.
+    /// In the next ticks each answer comes later by late_s, in the same order.
     virtual void slow_answers(double late_s, int ticks) = 0;
 
     // What only a test can see.

@@ -47,9 +47,15 @@ set ylabel 'overlap with people'
 unset logscale y
 set xrange [*:*]
 set key bottom right box opaque
-plot results . '/figures.csv' using 8:3 skip 1 with linespoints ls 1 title 'mean', \
-     '' using 8:4 skip 1 with linespoints ls 2 title 'median', \
-     '' using 8:3:(sprintf('%d', column(1))) skip 1 with labels offset 0,1 notitle
+of_size(at) = strstrt('0123456789', substr(stringcolumn(1), 1, 1)) > 0 ? column(at) : NaN
+of_way(name, at) = stringcolumn(1) eq name ? column(at) : NaN
+set datafile missing 'NaN'
+plot results . '/figures.csv' using (of_size(8)):(of_size(3)) skip 1 with linespoints ls 1 title 'restricted network, by size: mean', \
+     '' using (of_size(8)):(of_size(4)) skip 1 with linespoints ls 2 title 'median', \
+     '' using (of_size(8)):(of_size(3)):1 skip 1 with labels offset 0,1 notitle, \
+     '' using (of_way('small', 8)):(of_way('small', 3)) skip 1 with points ls 3 title 'small network, ships: mean', \
+     '' using (of_way('small', 8)):(of_way('small', 4)) skip 1 with points ls 3 pt 8 title 'median', \
+     '' using (of_way('grabcut', 8)):(of_way('grabcut', 3)) skip 1 with points ls 5 title 'colours alone (GrabCut): mean'
 
 set output results . '/names.svg'
 set title 'names of things, with all limits moved up and down together'

@@ -1,20 +1,29 @@
-// figures_bench PICTURES TRUTHS SIDE: runs the network "figure" at one size, in pixels a side, on
-// photographs whose main thing somebody has marked: PICTURES/NAME.jpg with PICTURES/NAME-human1.png
+// figures_bench PICTURES TRUTHS WAY: looks for the main things of photographs, where somebody has
+// marked them, in one way: the network "figure" at a size (a number: pixels a side), the small
+// network that ships ("small"), or colours alone ("grabcut", vision/contour/main_shape.h).
+// PICTURES/NAME.jpg with PICTURES/NAME-human1.png
 // ... (boundaries), TRUTHS/NAME.png (128 and more: the thing). Prints a row of CSV; the memory is
 // that of this process.
 #include "vision/figure/figures.h"
 
 #include "app/documents/models/networks.h"
 #include "tests/lab/bench/vision/pictures.h"
+#include "vision/contour/main_shape.h"
 #include "vision/contour/rings.h"
 #include "vision/figure/figure_network.h"
+#include "vision/figure/small_figure_network.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <functional>
+#include <memory>
 #include <numeric>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <opencv2/imgproc.hpp>
@@ -65,16 +74,58 @@ double precision_of(const cv::Mat& found, const std::vector<cv::Mat1b>& annotato
     return static_cast<double>(near) / std::max(1, all);
 }
 
-Result<Score> score_of(const MarkedPicture& picture, const cv::Mat& truth, FigureNetwork& network,
-                       int side_px) {
+/// Finds the main things of a picture.
+using Way = std::function<Result<Figures>(const cv::Mat3b&)>;
+
+Result<Score> score_of(const MarkedPicture& picture, const cv::Mat& truth, const Way& way) {
     const auto begin = std::chrono::steady_clock::now();
-    const auto likelihood = network.likelihood(picture.picture, side_px);
-    if (!likelihood) return tl::unexpected(likelihood.error());
-    const Figures figures = figures_of(*likelihood, picture.picture.size());
+    const auto figures = way(picture.picture);
+    if (!figures) return tl::unexpected(figures.error());
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
-    const cv::Mat found = at_size(figures.mask, picture.picture.size());
+    const cv::Mat found = at_size(figures->mask, picture.picture.size());
     return Score{overlap_of(found, truth), precision_of(found, picture.annotators), took.count(),
-                 figures.is_sure};
+                 figures->is_sure};
+}
+
+Figures figures_by_colours(const cv::Mat3b& picture) {
+    Figures figures;
+    figures.mask = cv::Mat1b(picture.size(), uchar{0});
+    const auto shape = main_shape(picture, std::nullopt);
+    if (!shape) return figures;
+    std::vector<cv::Point> corners;
+    for (const EdgePoint& p : shape->points) corners.emplace_back(cvRound(p.at.x), cvRound(p.at.y));
+    cv::fillPoly(figures.mask, std::vector{corners}, cv::Scalar(255));
+    figures.is_sure = true;
+    return figures;
+}
+
+/// A network lives as long as the way that holds it.
+template <class Network, class Likelihood>
+Result<Way> way_with(std::string_view name, Likelihood likelihood) {
+    const auto bytes = read_network(*network_named(name));
+    if (!bytes) return tl::unexpected(bytes.error());
+    auto network = Network::from_onnx(*bytes);
+    if (!network) return tl::unexpected(network.error());
+    const auto kept = std::make_shared<Network>(std::move(*network));
+    return Way([kept, likelihood](const cv::Mat3b& picture) {
+        return likelihood(*kept, picture).map([&](const cv::Mat1f& likely) {
+            return figures_of(likely, picture.size());
+        });
+    });
+}
+
+Result<Way> way_of(const std::string& name) {
+    if (name == "grabcut") return Way(figures_by_colours);
+    if (name == "small")
+        return way_with<SmallFigureNetwork>(
+            "small-figure", [](SmallFigureNetwork& network, const cv::Mat3b& picture) {
+                return network.likelihood(picture);
+            });
+    const int side_px = std::atoi(name.c_str());
+    return way_with<FigureNetwork>("figure",
+                                   [side_px](FigureNetwork& network, const cv::Mat3b& picture) {
+                                       return network.likelihood(picture, side_px);
+                                   });
 }
 
 double middle(std::vector<double> values) {
@@ -89,7 +140,7 @@ double mean(const std::vector<Score>& scores, Value value) {
     return scores.empty() ? 0.0 : sum / static_cast<double>(scores.size());
 }
 
-void print(int side_px, const std::vector<Score>& scores) {
+void print(const std::string& way, const std::vector<Score>& scores) {
     std::vector<Score> sure;
     std::vector<Score> others;
     std::vector<double> overlaps;
@@ -103,25 +154,24 @@ void print(int side_px, const std::vector<Score>& scores) {
     getrusage(RUSAGE_SELF, &usage);
     const auto overlap = [](const Score& score) { return score.overlap; };
     const auto precision = [](const Score& score) { return score.ring_precision; };
-    std::printf("%d,%zu,%.3f,%.3f,%zu,%.3f,%.3f,%.0f,%ld\n", side_px, scores.size(),
+    std::printf("%s,%zu,%.3f,%.3f,%zu,%.3f,%.3f,%.0f,%ld\n", way.c_str(), scores.size(),
                 mean(scores, overlap), middle(overlaps), sure.size(), mean(sure, precision),
                 mean(others, precision), middle(times), usage.ru_maxrss / 1024);
 }
 
-Result<void> measure(const std::string& pictures, const std::string& truths, int side_px) {
+Result<void> measure(const std::string& pictures, const std::string& truths,
+                     const std::string& name) {
     const auto marked = pictures_in(pictures, truths);
     if (!marked) return tl::unexpected(marked.error());
-    const auto bytes = read_network(*network_named("figure"));
-    if (!bytes) return tl::unexpected(bytes.error());
-    auto network = FigureNetwork::from_onnx(*bytes);
-    if (!network) return tl::unexpected(network.error());
+    const auto way = way_of(name);
+    if (!way) return tl::unexpected(way.error());
     std::vector<Score> scores;
     for (const FigurePicture& picture : *marked) {
-        const auto score = score_of(picture.marked, picture.truth >= 128, *network, side_px);
+        const auto score = score_of(picture.marked, picture.truth >= 128, *way);
         if (!score) return tl::unexpected(score.error());
         scores.push_back(*score);
     }
-    print(side_px, scores);
+    print(name, scores);
     return {};
 }
 
@@ -130,10 +180,10 @@ Result<void> measure(const std::string& pictures, const std::string& truths, int
 
 int main(int argc, char** argv) {
     if (argc != 4) {
-        std::fputs("usage: figures_bench PICTURES TRUTHS SIDE\n", stderr);
+        std::fputs("usage: figures_bench PICTURES TRUTHS WAY\n", stderr);
         return 2;
     }
-    const auto done = touchline::bench::measure(argv[1], argv[2], std::atoi(argv[3]));
+    const auto done = touchline::bench::measure(argv[1], argv[2], argv[3]);
     if (done) return 0;
     std::fprintf(stderr, "%s\n", done.error().line.c_str());
     return 1;

@@ -78,7 +78,7 @@ class EmulatedLink final : public BoardLink {
         faults_ = {fault};
     }
 
-    /// For span_s, each reply comes this much later.
+    /// Each reply within span_s comes this much later.
     void slow(double late_s, double span_s) {
         slow_s_ = late_s;
         slow_until_s_ = time_.now_s + span_s;
