@@ -111,7 +111,12 @@ void ProbeProxy::press(const ProbePose& handle, const Springs& springs, Spender&
     Following following;
     std::size_t swept = 0;
     for (int i = 0; i < most_moves; ++i) {
-        front_.look(ProbePlacement(pose_), keep_m_, probe_mind_m, spender);
+        const ProbePlacement placed(pose_);
+        if (i == 0) {
+            front_.look(placed, keep_m_, probe_mind_m, spender);
+        } else {
+            front_.look_again(placed);
+        }
         const ProbeMove move = wanted_move(handle, springs, following, held);
         const double reach_m = move.reach_m(shape_->r_max_m());
         report.carried_m = 0.0;

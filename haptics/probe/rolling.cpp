@@ -10,6 +10,8 @@ namespace {
 
 constexpr int most_bends = 6;        // corrections of a move for curving distances
 constexpr int most_shortenings = 4;  // of a roll
+constexpr double fits = 1.0 - 1e-9;  // of how long a roll may be
+constexpr double about_fits = 0.95;  // where nothing depends on it
 constexpr double least_flat = 0.4;   // share of a roll: if less follows the curve, lift off
 constexpr double most_sink_m = 0.75 * probe_slack_m;  // half-way of a roll
 constexpr double most_bend_m = 3.0 * probe_slack_m;   // of a straight way: a chord sinks a quarter
@@ -32,6 +34,7 @@ bool ProbeProxy::curved_move(const Coupled& wanted, const Springs& springs,
     const auto is_worth = [&](const Coupled& curved) {
         return left_of_move(wanted, curved) <= square(wanted);
     };
+    const double least_fit = following.longest_m == longest_move_m ? about_fits : fits;
     for (int i = 0; i < most_shortenings; ++i) {
         const auto end_of_way = [&](double most_m) {
             return curved_end(energy, share * wanted, share * whole.move, springs, most_m, whole);
@@ -40,7 +43,7 @@ bool ProbeProxy::curved_move(const Coupled& wanted, const Springs& springs,
         move = rolling(curved, springs, held);
         const double fit = following.longest_m / move.reach_m(shape_->r_max_m());
         const double sink = sink_m(move) / most_sink_m;
-        if (fit >= 1.0 - 1e-9 && sink <= 1.0 && is_worth(curved)) return true;
+        if (fit >= least_fit && sink <= 1.0 && is_worth(curved)) return true;
         const double flat = sink > 1.0 ? 0.8 / std::sqrt(sink) : 1.0;
         if (flat < least_flat || (flat < 1.0 && move.pivot == Position{})) {
             const Coupled lifted = end_of_way(most_bend_m);
