@@ -25,13 +25,12 @@ struct EdgeAndLine {
 };
 
 /// Returns the share of the move, at most `most`, over which the edge stays `keep_m` or more from
-/// the line; 0 if it starts nearer than that and comes nearer still. `start` is `from` placed. Up
+/// the line; 0 if it starts nearer than that and comes nearer still. `start` is where it starts. Up
 /// to that share the two stay apart at every moment: either along a fixed direction, where the
 /// edge's ends stay beyond the line, or along one that turns with the edge, where the line's ends
 /// do. Their approach is bounded by its rate at the start and their greatest acceleration.
-[[nodiscard]] double clear_share(const EdgeAndLine& pair, const ProbePose& from,
-                                 const ProbePlacement& start, const ProbeMove& move, double keep_m,
-                                 double most);
+[[nodiscard]] double clear_share(const EdgeAndLine& pair, const ProbePlacement& start,
+                                 const ProbeMove& move, double keep_m, double most);
 
 /// An edge of the shape and a rendered segment that it can reach.
 struct NearPair {

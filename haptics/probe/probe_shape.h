@@ -129,11 +129,54 @@ struct ProbePose {
     return std::isfinite(pose.x_m) && std::isfinite(pose.y_m) && std::isfinite(pose.angle_rad);
 }
 
-[[nodiscard]] inline Position turned(Position arm, double angle_rad) {
-    const double c = std::cos(angle_rad);
-    const double s = std::sin(angle_rad);
-    return {c * arm.x - s * arm.y, s * arm.x + c * arm.y};
-}
+/// The cosine and the sine of an angle.
+class Rotation {
+  public:
+    Rotation() = default;
+
+    /// A single move turns little: there a series is right to 2e-16, for less than a call.
+    explicit Rotation(double angle_rad) {
+        constexpr double small_rad = 0.125;
+        const double square = angle_rad * angle_rad;
+        if (!(std::abs(angle_rad) <= small_rad)) {
+            cos_ = std::cos(angle_rad);
+            sin_ = std::sin(angle_rad);
+            return;
+        }
+        const auto one_less = [square](double part, double rest) {
+            return 1.0 - part * square * rest;
+        };
+        cos_ = one_less(
+            1.0 / 2,
+            one_less(1.0 / 12, one_less(1.0 / 30, one_less(1.0 / 56, one_less(1.0 / 90, 1.0)))));
+        sin_ = angle_rad *
+               one_less(1.0 / 6,
+                        one_less(1.0 / 20,
+                                 one_less(1.0 / 42, one_less(1.0 / 72, one_less(1.0 / 110, 1.0)))));
+    }
+
+    template <class Unit>
+    [[nodiscard]] Vec2<Unit> operator()(Vec2<Unit> v) const {
+        return {cos_ * v.x - sin_ * v.y, sin_ * v.x + cos_ * v.y};
+    }
+
+    /// The other way round.
+    template <class Unit>
+    [[nodiscard]] Vec2<Unit> back(Vec2<Unit> v) const {
+        return {cos_ * v.x + sin_ * v.y, cos_ * v.y - sin_ * v.x};
+    }
+
+    /// Both, one after the other.
+    [[nodiscard]] Rotation operator*(const Rotation& other) const {
+        Rotation both;
+        both.cos_ = cos_ * other.cos_ - sin_ * other.sin_;
+        both.sin_ = sin_ * other.cos_ + cos_ * other.sin_;
+        return both;
+    }
+
+  private:
+    double cos_ = 1.0, sin_ = 0.0;
+};
 
 /// A move that turns at a steady rate while one point of the shape, the pivot, goes straight.
 struct ProbeMove {
@@ -164,7 +207,7 @@ struct ProbeMove {
 
 [[nodiscard]] inline ProbePose operator+(const ProbePose& pose, const ProbeMove& move) {
     Position by = move.by;
-    if (move.pivot != Position{}) by = by + move.pivot - turned(move.pivot, move.turn_rad);
+    if (move.pivot != Position{}) by = by + move.pivot - Rotation(move.turn_rad)(move.pivot);
     return {pose.x_m + by.x, pose.y_m + by.y, pose.angle_rad + move.turn_rad};
 }
 
@@ -181,13 +224,22 @@ void add_way(const ProbePose& from, const ProbeMove& move, std::vector<ProbePose
 /// A pose with its sine and cosine worked out.
 class ProbePlacement {
   public:
-    explicit ProbePlacement(const ProbePose& pose)
-        : origin_(pose.place()), cos_(std::cos(pose.angle_rad)), sin_(std::sin(pose.angle_rad)) {}
+    /// At the origin of W, not turned.
+    ProbePlacement() = default;
+
+    explicit ProbePlacement(const ProbePose& pose) : origin_(pose.place()), turn_(pose.angle_rad) {}
+
+    /// Returns the placement after a move from this one, to 1e-16 of the shape's size.
+    [[nodiscard]] ProbePlacement after(const ProbeMove& move) const {
+        const Rotation turn(move.turn_rad);
+        ProbePlacement moved;
+        moved.origin_ = origin_ + move.by + (move.pivot - turn(move.pivot));
+        moved.turn_ = turn * turn_;
+        return moved;
+    }
 
     /// Maps a point from the shape's frame to W.
-    [[nodiscard]] Position operator()(Position p) const {
-        return {origin_.x + (cos_ * p.x - sin_ * p.y), origin_.y + (sin_ * p.x + cos_ * p.y)};
-    }
+    [[nodiscard]] Position operator()(Position p) const { return origin_ + turn_(p); }
 
     [[nodiscard]] Segment operator()(const Segment& s) const {
         return {(*this)(s.a), (*this)(s.b)};
@@ -198,12 +250,12 @@ class ProbePlacement {
     /// Turns a vector of W into the shape's frame.
     template <class Unit>
     [[nodiscard]] Vec2<Unit> seen_by_shape(Vec2<Unit> v) const {
-        return {cos_ * v.x + sin_ * v.y, cos_ * v.y - sin_ * v.x};
+        return turn_.back(v);
     }
 
   private:
     Position origin_;
-    double cos_, sin_;
+    Rotation turn_;
 };
 
 inline constexpr std::size_t most_probe_edges = 4096;
