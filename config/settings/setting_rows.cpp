@@ -106,7 +106,7 @@ constexpr std::array<TextRule, 10> text_rules{
      {is_notice, "a line of at most 200 bytes, or \"\" for none"},
      {is_name, "a name of small letters, digits and \"-\", or \"\" for none"},
      {is_queue, "the name of a printer in CUPS, or \"\" for none"},
-     {is_port, "a path in /dev/, a CAN interface, or \"\" for none"}}};
+     {is_port, "a path in /dev/, a CAN interface, an Inverse3 (04EA@10002), or \"\" for none"}}};
 static_assert(static_cast<std::size_t>(TextKind::port) + 1 == text_rules.size());
 
 std::string short_number(double value) {
@@ -235,6 +235,14 @@ Settings with_settings_of_house(Settings kiosk, const Settings& house) {
         if (row.owner == SettingOwner::house)
             std::visit([&](auto field) { kiosk.*field = house.*field; }, row.field);
     return kiosk;
+}
+
+Settings with_changes(Settings latest, const Settings& base, const Settings& edited) {
+    const auto take = [&](auto field) {
+        if (edited.*field != base.*field) latest.*field = edited.*field;
+    };
+    for (const SettingRow& row : setting_rows()) std::visit(take, row.field);
+    return latest;
 }
 
 std::string trespass(const Settings& before, const Settings& after) {
