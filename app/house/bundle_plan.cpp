@@ -166,14 +166,15 @@ BundleError as_of_newer_program(BundleError error, const Bundle& bundle) {
                         error.line, text_of(*theirs))};
 }
 
-/// A shell, or the operator, may have been here between the look and the "yes".
+/// A shell, or the operator, may have been here between the look and the "yes". The settings come
+/// last: a running kiosk writes them without waiting for anybody, and what is seen takes long.
 Result<void> judge_anew(const BundlePlan& plan, const HousePlaces& places) {
+    const bool is_as_seen_here = std::ranges::all_of(
+        plan.seen, [&](const SeenThing& thing) { return is_as_seen(places, thing); });
     const auto last = read_change_record(places);
     const auto settings = read_settings_as_written(places);
-    const bool is_as_told = last && settings && *last == plan.last && *settings == plan.before &&
-                            std::ranges::all_of(plan.seen, [&](const SeenThing& thing) {
-                                return is_as_seen(places, thing);
-                            });
+    const bool is_as_told =
+        is_as_seen_here && last && settings && *last == plan.last && *settings == plan.before;
     if (is_as_told) return {};
     return failure(
         "this kiosk was changed meanwhile; nothing of the bundle was applied, look at "

@@ -207,8 +207,10 @@ Result<void> change(const HousePlaces& places, const std::vector<NewThing>& thin
     if (auto done = finish(places); !done) return done;
     const auto before = read_change_record(places);
     if (!before) return tl::unexpected(before.error());
-    if (auto judged = judge(); !judged) return judged;
-    if (things.empty() && *before) return become_later(places, **before, made_s);
+    if (things.empty() && *before) {
+        const auto judged = judge();
+        return judged ? become_later(places, **before, made_s) : judged;
+    }
     ChangeRecord record{*before ? (*before)->number + 1 : 1, made_s, {}};
     for (const NewThing& thing : things)
         record.things.push_back(
@@ -217,9 +219,10 @@ Result<void> change(const HousePlaces& places, const std::vector<NewThing>& thin
     std::vector<NewThing> all = things;
     all.push_back({HouseRoot::house, record_name, {{"", std::as_bytes(std::span(text))}}});
     const auto moves = stage_all(places, all, record.number);
-    if (moves) return carry_out(places, *moves);
+    const auto judged = moves ? judge() : tl::unexpected(moves.error());
+    if (judged) return carry_out(places, *moves);
     remove_beside(places);
-    return tl::unexpected(moves.error());
+    return judged;
 }
 
 std::optional<fs::path> place_before(const HousePlaces& places, const ChangeRecord& record,

@@ -46,9 +46,9 @@ struct NewThing {
 [[nodiscard]] Result<void> finish_change(const HousePlaces& places);
 
 /// Puts all in place, and records the change; if there is nothing, only that it is this late.
-/// `judge` is asked while no other call can change anything; where it fails, nothing is changed.
-/// Fails with one line, and then nothing is changed, but for a disk that breaks in the midst: the
-/// next call finishes it.
+/// `judge` is asked while no other call can change anything, once all that is new is written
+/// beside, which takes long; where it fails, nothing is changed. Fails with one line, and then
+/// nothing is changed, but for a disk that breaks in the midst: the next call finishes it.
 [[nodiscard]] Result<void> change(
     const HousePlaces& places, const std::vector<NewThing>& things, std::int64_t made_s,
     const std::function<Result<void>()>& judge = [] { return Result<void>{}; });

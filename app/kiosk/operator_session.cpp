@@ -2,15 +2,14 @@
 
 #include "app/documents/decode/map_svg.h"
 #include "app/documents/models/networks.h"
-#include "app/documents/packs/pack.h"
-#include "app/documents/packs/pack_library.h"
 #include "app/house/changing.h"
 #include "app/isolation/process/places.h"
+#include "app/kiosk/operator_import.h"
 #include "app/kiosk/own_thread.h"
 #include "app/operator/backup.h"
 #include "app/operator/pin.h"
 #include "app/operator/settings_files.h"
-#include "app/visit/told_lines.h"
+#include "config/settings/setting_rows.h"
 #include "config/types/utf8.h"
 
 #include <algorithm>
@@ -30,37 +29,11 @@ constexpr std::size_t longest_log = 1000;
 // Said if a file could not be written or read; the log has the details.
 constexpr const char* no_pin = "The PIN cannot be saved. Make room on the disk.";
 constexpr const char* no_settings = "The settings cannot be saved. Make room on the disk.";
+constexpr const char* not_together = "That does not go together with another setting.";
 constexpr const char* no_keys = "The keys cannot be saved. Make room on the disk.";
 constexpr const char* no_counters = "The counters cannot be saved. Make room on the disk.";
 constexpr const char* no_copy = "The copy cannot be written. Make room on the disk.";
 constexpr const char* no_good_copy = "There is no copy that can be used. Copy the settings first.";
-constexpr const char* no_file = "The file cannot be saved. Make room on the disk.";
-
-Outcome outcome(const Result<void>& done, std::string said, const char* why_not,
-                const Language& language) {
-    if (done) return {std::move(said), ""};
-    return {language.text("operator", why_not), done.error().line};
-}
-
-/// Its bytes, or a sentence for the operator. Waits for the stick.
-using StickFileReader = std::function<Result<Mapping, Outcome>()>;
-
-StickFileReader reader_of(const OperatorStick& stick, std::size_t file, const Language& language) {
-    return [read = stick.reader_of(file), language]() -> Result<Mapping, Outcome> {
-        auto bytes = read();
-        if (bytes) return std::move(*bytes);
-        const std::string why = sentence_of(bytes.error(), "");
-        return tl::unexpected(
-            Outcome{told_of_file(why, stick_trouble, language, ToldTo::staff), why});
-    };
-}
-
-/// A file of the operator's stick.
-struct Brought {
-    StickFileReader read;
-    StickFileKind kind;
-    std::string name;  // for the screen
-};
 
 NetworkHealth network_health() {
     NetworkHealth health;
@@ -70,40 +43,6 @@ NetworkHealth network_health() {
         health.lacks_shipped = health.lacks_shipped || network.ships;
     }
     return health;
-}
-
-Outcome import_pictures(std::span<const std::byte> bytes, const std::string& name,
-                        const fs::path& library, const Language& language) {
-    auto pack = read_pack(bytes);
-    if (!pack && pack.error().file.empty()) pack.error().file = name;
-    if (!pack) return {sentence_of(pack.error(), language), ""};
-    const auto folder = import_pack(*pack, library.string());
-    if (!folder) return {sentence_of(folder.error(), language), ""};
-    return {language.text("operator", "The pictures will be there when the kiosk next starts."),
-            ""};
-}
-
-Outcome import_network(std::span<const std::byte> bytes, const std::string& name,
-                       const Language& language) {
-    const Network* const network = network_of(bytes);
-    if (network == nullptr)
-        return {language.text("operator",
-                              "{0} is damaged, or made for another version of Touchline. Copy it "
-                              "to the USB stick again.",
-                              {name}),
-                ""};
-    return outcome(install_network(*network, bytes),
-                   language.text("operator", "Main things of photographs are found from now on."),
-                   no_file, language);
-}
-
-/// Waits for the stick and for workers, so it runs beside the screen's thread.
-Outcome imported(const Brought& file, const fs::path& library, const Language& language) {
-    const auto bytes = file.read();
-    if (!bytes) return bytes.error();
-    return file.kind == StickFileKind::network
-               ? import_network(bytes->bytes(), file.name, language)
-               : import_pictures(bytes->bytes(), file.name, library, language);
 }
 
 }  // namespace
@@ -132,7 +71,7 @@ struct OperatorSession::Office {
 
     /// Says nothing of a success.
     void judge(const Result<void>& kept, const char* why_not) const {
-        if (!kept) answer(session.told(outcome(kept, "", why_not, language)));
+        if (!kept) answer(session.told(outcome_of(kept, "", why_not, language)));
     }
 
     /// Counts it as wrong first: pulling the plug before the answer still costs a try.
@@ -164,9 +103,12 @@ struct OperatorSession::Office {
     }
 
     void operator()(const WriteSettings& write) const {
-        const auto kept = keep_settings(session.files_.settings, write.settings);
+        const auto wanted = session.merged(write);
+        if (!wanted) return answer(language.text("operator", not_together));
+        const auto kept = keep_settings(session.files_.settings, *wanted);
+        session.state_.settings = *wanted;
         (void)session.watch_.has_changed();
-        session.hold(write.settings);
+        session.hold(*wanted);
         left.emplace_back(write);
         judge(kept, no_settings);
     }
@@ -281,9 +223,17 @@ void OperatorSession::hold(const Settings& site) {
     settings_ = held.value_or(site);
 }
 
+/// With what a shell wrote since the file was read last. Nothing if both do not go together.
+std::optional<Settings> OperatorSession::merged(const WriteSettings& write) const {
+    if (write.is_whole) return write.settings;
+    const Settings now = read_settings(files_.settings).settings;
+    const Settings both = with_changes(now, site_, write.settings);
+    return conflicts(both).empty() ? std::optional(both) : std::nullopt;
+}
+
 bool OperatorSession::read_again() {
+    if (is_editing(state_)) return false;
     const bool is_new = std::exchange(has_new_site_, false);
-    if (!is_new && is_open()) return false;
     const bool is_set = watch_.has_changed();
     const bool is_applied = applied_.has_changed();
     if (!is_new && !is_set && !is_applied) return false;
@@ -345,7 +295,7 @@ std::string OperatorSession::told(Outcome outcome) {
 std::string OperatorSession::back_up(const Language& language) {
     std::error_code error;
     fs::create_directories(files_.copies, error);
-    return told(outcome(
+    return told(outcome_of(
         write_backup(files_.copies, {site_, sound_, keys_}),
         language.text("operator", "The copy is in {0}.", {files_.copies.filename().string()}),
         no_copy, language));
@@ -361,15 +311,15 @@ std::string OperatorSession::restore(const Language& language) {
                           .and_then([&] { return keep_keys(files_.keys, keys_); });
     (void)watch_.has_changed();
     hold(backup->settings);
-    return told(outcome(kept, language.text("operator", "All settings are as in the copy."),
-                        no_settings, language));
+    return told(outcome_of(kept, language.text("operator", "All settings are as in the copy."),
+                           no_settings, language));
 }
 
 std::string OperatorSession::copy(const std::string& text, const std::string& file,
                                   const char* said, const Language& language) {
     const std::string folder = files_.copies.filename().string();
-    return told(outcome(keep_text(files_.copies / file, text),
-                        language.text("operator", said, {folder}), no_copy, language));
+    return told(outcome_of(keep_text(files_.copies / file, text),
+                           language.text("operator", said, {folder}), no_copy, language));
 }
 
 std::string OperatorSession::keep_drawing(const TactileMap& drawing, const Language& language) {

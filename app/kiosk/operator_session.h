@@ -86,7 +86,8 @@ class OperatorSession {
     [[nodiscard]] bool can_write() const;
 
     /// Reads settings and profiles again if somebody else changed the settings, or applied a bundle
-    /// or took it back. True if so: settings() may say something new.
+    /// or took it back; not while a value is turned here. True if so: settings() may say something
+    /// new.
     [[nodiscard]] bool read_again();
 
     // What is counted, on this day of the site's clock.
@@ -119,6 +120,7 @@ class OperatorSession {
     [[nodiscard]] OperatorWorld world(const Language& language, double now_s) const;
     void read_site(std::vector<std::string>& problems);
     void hold(const Settings& site);
+    [[nodiscard]] std::optional<Settings> merged(const WriteSettings& write) const;
     [[nodiscard]] std::string back_up(const Language& language);
     [[nodiscard]] std::string restore(const Language& language);
     [[nodiscard]] std::string copy(const std::string& text, const std::string& file,

@@ -226,8 +226,11 @@ struct SetSettings {  // they apply from now on, but are not on the disk
     Settings settings;
 };
 
-struct WriteSettings {  // they apply, and are written to the disk
+/// They apply, and are written to the disk: those that were changed here, so that what somebody
+/// else wrote meanwhile stays.
+struct WriteSettings {
     Settings settings;
+    bool is_whole = false;  // all of them, whatever somebody else wrote
 };
 
 struct WriteSound {
@@ -305,6 +308,12 @@ using OperatorOrder =
                  GoBackToBefore, MakeBundle, ShowHouseKey, TrustHouseKey, ZeroCounters,
                  ExportCounters, ExportLog, SaveRecording, KeepDrawing, BackUp, Restore, CloseKiosk,
                  Leave>;
+
+/// True while a value is turned, or a question about one waits: it is neither kept nor given up
+/// yet.
+[[nodiscard]] inline bool is_editing(const Operator& state) {
+    return state.is_held || state.place == OperatorPlace::question;
+}
 
 struct OperatorStep {
     Operator state;

@@ -101,7 +101,7 @@ void write_settings(OperatorTurn& turn) {
 
 void write_first_settings(OperatorTurn& turn) {
     turn.state().settings = Settings{};
-    write_settings(turn);
+    turn.order(WriteSettings{turn.state().settings, true});
 }
 
 void measure_kind(OperatorTurn& turn) {

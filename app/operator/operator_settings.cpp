@@ -114,8 +114,8 @@ bool lets_more_in(const Settings& before, const Settings& after) {
 void switch_to(OperatorTurn& turn, const Settings& settings) {
     turn.state().settings = settings;
     if (lets_more_in(turn.world.settings, settings)) return turn.ask(Question::file_systems);
-    turn.order(WriteSettings{settings});
     turn.say_item();
+    turn.order(WriteSettings{settings});
 }
 
 /// True if it was a setting that is switched at once.
@@ -218,12 +218,12 @@ bool release_value(OperatorTurn& turn) {
         turn.ask(Question::ceiling);
         return false;
     }
+    turn.say(turn.words("Saved."));  // why it could not be saved comes after it, and replaces it
     if (is_of_sound(meaning.item)) {
         turn.order(WriteSound{state.sound});
     } else {
         turn.order(WriteSettings{state.settings});
     }
-    turn.say(turn.words("Saved."));
     return true;
 }
 

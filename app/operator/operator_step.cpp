@@ -197,7 +197,7 @@ void take(OperatorTurn& turn, const MomentPassed& /*moment*/) {
 /// Takes over what somebody else changed in the file, unless it is being edited now.
 void take_over(OperatorTurn& turn) {
     Operator& state = turn.state();
-    if (state.is_held || state.place == OperatorPlace::question) return;
+    if (is_editing(state)) return;
     state.settings = turn.world.settings;
     state.sound = turn.world.sound;
 }

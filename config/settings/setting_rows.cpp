@@ -237,6 +237,14 @@ Settings with_settings_of_house(Settings kiosk, const Settings& house) {
     return kiosk;
 }
 
+Settings with_changes(Settings latest, const Settings& base, const Settings& edited) {
+    const auto take = [&](auto field) {
+        if (edited.*field != base.*field) latest.*field = edited.*field;
+    };
+    for (const SettingRow& row : setting_rows()) std::visit(take, row.field);
+    return latest;
+}
+
 std::string trespass(const Settings& before, const Settings& after) {
     if (after.force_ceiling_N > before.force_ceiling_N)
         return "'feel.force_ceiling_N' must not be above the site's " +

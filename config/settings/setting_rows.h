@@ -87,6 +87,10 @@ using SettingValue = std::variant<bool, double, std::string>;
 /// Returns `kiosk` with every row that belongs to the house as it is in `house`.
 [[nodiscard]] Settings with_settings_of_house(Settings kiosk, const Settings& house);
 
+/// Returns `latest` with every row in which `edited` differs from `base` as it is in `edited`: what
+/// two people changed at once, each something else. Rows that contradict each other may meet.
+[[nodiscard]] Settings with_changes(Settings latest, const Settings& base, const Settings& edited);
+
 /// Describes in one sentence what a later layer changed without being allowed to; empty if nothing.
 /// A profile or a visit may lower the ceiling of the force, never raise it.
 [[nodiscard]] std::string trespass(const Settings& before, const Settings& after);

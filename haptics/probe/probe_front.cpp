@@ -1,5 +1,7 @@
 #include "haptics/probe/probe_front.h"
 
+#include "haptics/probe/kept_distance.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,78 +9,6 @@
 
 namespace touchline {
 namespace {
-
-constexpr int most_advances = 24;
-constexpr double never = std::numeric_limits<double>::infinity();
-constexpr double near_enough_m = 1e-10;  // to the kept distance: the motion ends there
-
-/// How the room beside an end goes on over a move: room + rate t - bend t^2 / 2.
-struct Falling {
-    double room, rate, bend;
-};
-
-/// A motion from a moment on: the pivot's place, its move, and the share of the move that is left.
-struct MotionLeft {
-    Position pivot;
-    const ProbeMove& move;
-    double left;
-};
-
-/// The room of an edge's end beyond `reach` along a fixed direction. The end turns about the pivot,
-/// so it speeds up towards it: by what points along the direction now, and what turns into it.
-Falling falling(Position end, double reach, Direction n, const MotionLeft& motion) {
-    const double turn = motion.move.turn_rad;
-    const Position arm = end - motion.pivot;
-    const double size = norm(arm);
-    const double along = std::max(dot(n, arm), 0.0) + std::abs(turn) * motion.left * size;
-    return {std::max(dot(n, end) - reach, 0.0), dot(n, motion.move.by) + turn * cross(arm, n),
-            turn * turn * std::min(along, size)};
-}
-
-/// Returns the first moment at which the room falls to 0; infinity if it never does.
-double exhausted(const Falling& f) {
-    if (f.room <= 0.0 && f.rate <= 0.0) return f.rate < 0.0 || f.bend > 0.0 ? 0.0 : never;
-    const double root = std::sqrt(f.rate * f.rate + 2.0 * f.bend * f.room);
-    if (f.rate < 0.0) return 2.0 * f.room / (root - f.rate);
-    return f.bend > 0.0 ? (root + f.rate) / f.bend : never;
-}
-
-/// Returns whether exhausted() is `share` or later: a falling parabola is above its ends in
-/// between.
-bool lasts(const Falling& f, double share) {
-    return f.room + share * (f.rate - 0.5 * f.bend * share) >= 0.0;
-}
-
-/// Returns the share over which the ends of the edge are not too near along a fixed direction;
-/// infinity if that is all that is left. Most pairs are settled so, without a root.
-double free_beside_line(const Segment& edge, const Segment& line, Direction n,
-                        const MotionLeft& motion, double keep_m) {
-    const double reach = std::max(dot(n, line.a), dot(n, line.b)) + keep_m;
-    const Falling a = falling(edge.a, reach, n, motion);
-    const Falling b = falling(edge.b, reach, n, motion);
-    if (lasts(a, motion.left) && lasts(b, motion.left)) return never;
-    return std::min(exhausted(a), exhausted(b));
-}
-
-/// Goes until the ends of the line are too near along a direction that turns with the edge.
-double free_beside_edge(const Segment& edge, const Segment& line, Direction n,
-                        const MotionLeft& motion, double keep_m) {
-    const double reach = std::min(dot(n, edge.a), dot(n, edge.b)) - keep_m;
-    const Position by = motion.move.by;
-    const double turn = motion.move.turn_rad;
-    const double way_m = norm(by);
-    double free = never;
-    for (const Position end : {line.a, line.b}) {
-        const Position arm = end - motion.pivot;
-        const double rate = dot(n, by) - turn * dot(left_of(n), arm);
-        const double bend = -turn * (turn * dot(n, arm) + 2.0 * dot(left_of(n), by));
-        const double more =
-            turn * turn * (std::abs(turn) * (norm(arm) + way_m) + 3.0 * way_m) * motion.left;
-        free = std::min(free, exhausted({std::max(reach - dot(n, end), 0.0), rate,
-                                         std::max(bend, 0.0) + more}));
-    }
-    return free;
-}
 
 constexpr std::size_t most_pairs = 4096;
 constexpr std::size_t most_near = 512;
@@ -88,13 +18,23 @@ constexpr double straight_m = 1e-10;  // a node no thicker counts as the line th
 constexpr double now = -std::numeric_limits<double>::infinity();
 constexpr std::int32_t rendered = -1;  // as a node's level
 
-/// Returns how far the chord of a shape, in its frame, is from a line along a direction: at most
-/// their distance.
-double room_along(Direction n, const ProbePlacement& shape, const Segment& chord,
-                  const Segment& line) {
-    const Direction m = shape.seen_by_shape(n);
-    return dot(n, shape.origin()) + std::min(dot(m, chord.a), dot(m, chord.b)) -
-           std::max(dot(n, line.a), dot(n, line.b));
+/// Returns the least of up to a block; infinity of none. In four chains, as no minimum waits for
+/// the one before.
+double least_of(std::span<const double> due_m) {
+    using lanes::Pair;
+    Pair low{INFINITY, INFINITY};
+    Pair high{INFINITY, INFINITY};
+    std::size_t i = 0;
+    for (; i + 4 <= due_m.size(); i += 4) {
+        const Pair a{due_m[i], due_m[i + 1]};
+        const Pair b{due_m[i + 2], due_m[i + 3]};
+        low = a < low ? a : low;
+        high = b < high ? b : high;
+    }
+    const Pair both = low < high ? low : high;
+    double least = std::min(both[0], both[1]);
+    for (; i < due_m.size(); ++i) least = std::min(least, due_m[i]);
+    return least;
 }
 
 double half_size(const Capsule& capsule) {
@@ -103,32 +43,10 @@ double half_size(const Capsule& capsule) {
 
 }  // namespace
 
-double clear_share(const EdgeAndLine& pair, const ProbePose& from, const ProbePlacement& start,
-                   const ProbeMove& move, double keep_m, double most) {
-    Separation at = pair.at;
-    Segment edge = start(pair.edge);
-    double share = 0.0;
-    for (int i = 0; i < most_advances; ++i) {
-        if (!(at.distance_m > 0.0)) return share;
-        const MotionLeft motion{from.place() + move.pivot + share * move.by, move, most - share};
-        const Direction n = at.normal;
-        const double beside_line = free_beside_line(edge, pair.line, n, motion, keep_m);
-        if (beside_line == never) return most;
-        const double next =
-            share + std::max(beside_line, free_beside_edge(edge, pair.line, n, motion, keep_m));
-        if (next >= most) return most;
-        if (!(next > share)) return share;
-        share = next;
-        edge = ProbePlacement(from + share * move)(pair.edge);
-        at = separation(edge, pair.line);
-        if (at.distance_m - keep_m <= near_enough_m) return share;
-    }
-    return share;
-}
-
 void ProbeFront::reserve() {
     due_m_.reserve(most_pairs);
     block_due_m_.reserve(most_pairs / block + 1);
+    sights_.reserve(most_pairs);
     pairs_.reserve(most_pairs);
     near_.reserve(most_near);
 }
@@ -149,12 +67,15 @@ void ProbeFront::set_level(double level) {
 void ProbeFront::remake(double reach_m) {
     due_m_.clear();
     block_due_m_.clear();
+    sights_.clear();
     pairs_.clear();
     way_m_ = 0.0;
     far_m_ = margin_m + 2.0 * reach_m;
     is_stale_ = false;
     if (!outlines_.scene().tree.has_nodes()) return;
-    add({CollisionTree::top(), 0});
+    Pair top;
+    see_scene(top, CollisionTree::top());
+    add(top, {0.0, 0.0});
 }
 
 void ProbeFront::look(const ProbePlacement& shape, double keep_m, double reach_m,
@@ -164,7 +85,15 @@ void ProbeFront::look(const ProbePlacement& shape, double keep_m, double reach_m
 
 void ProbeFront::look_along(const ProbeMove& move, const ProbePlacement& shape, double keep_m,
                             Spender& spender) {
-    look({shape, keep_m, move.reach_m(shape_->r_max_m()), spender, &move});
+    const double r_max_m = shape_->r_max_m();
+    look({shape, keep_m, move.reach_m(r_max_m) + probe_mind_m, spender, &move, move.origin_by(),
+          move.bend_m(r_max_m), probe_mind_m});
+}
+
+void ProbeFront::look_again(const ProbePlacement& shape) {
+    for (const std::uint32_t i : near_) {
+        if (pairs_[i].seen != moves_) see(i, shape);
+    }
 }
 
 void ProbeFront::look(const Look& look) {
@@ -184,110 +113,107 @@ void ProbeFront::look_at_block(std::size_t first, const Look& look) {
     for (std::size_t i = first; i < end();) {
         if (due_m_[i] > limit || examine(i, look)) ++i;
     }
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = first; i < end(); ++i) least = std::min(least, due_m_[i]);
-    block_due_m_[first / block] = least;
+    block_due_m_[first / block] = least_of(std::span(due_m_).subspan(first, end() - first));
 }
 
-void ProbeFront::add(const Pair& pair) {
-    const std::size_t i = due_m_.size() / block;
-    if (i == block_due_m_.size()) block_due_m_.push_back(now);
-    block_due_m_[i] = now;
-    pairs_.push_back(pair);
+void ProbeFront::add(const Pair& pair, Direction normal) {
+    const std::size_t i = due_m_.size();
+    if (i / block == block_due_m_.size()) block_due_m_.push_back(now);
+    block_due_m_[i / block] = now;
     due_m_.push_back(now);
+    pairs_.emplace_back();
+    sights_.emplace_back();
+    put(i, pair, normal);
+}
+
+void ProbeFront::put(std::size_t i, const Pair& pair, Direction normal) {
+    const Capsule& probe = shape_->nodes()[static_cast<std::size_t>(pair.probe)].capsule;
+    due_m_[i] = now;
+    pairs_[i] = pair;
+    pairs_[i].ends.geometry.edge = probe.chord;
+    sights_[i].chord = probe.chord;
+    sights_[i].probe_thick_m = probe.thickness_m;
+    sights_[i].thick_m = probe.thickness_m + pair.scene_thick_m;
+    sights_[i].turn(normal, pair.ends.geometry.line);
+}
+
+void ProbeFront::see(std::size_t i, const ProbePlacement& shape) {
+    EdgeAndLine& pair = pairs_[i].ends.geometry;
+    pair.at = separation(shape(sights_[i].chord), pair.line);
+    pairs_[i].seen = moves_;
+    sights_[i].turn(pair.at.normal, pair.line);
 }
 
 bool ProbeFront::examine(std::size_t i, const Look& look) {
-    Pair& pair = pairs_[i];
-    const ProbeNode& probe = shape_->nodes()[static_cast<std::size_t>(pair.probe)];
-    if (!pair.is_known) {
-        pair.scene = capsule(pair.node, pair.is_end);
-        pair.is_known = true;
+    Sight& sight = sights_[i];
+    double gap_m = sight.gap_m(look);
+    bool is_past = sight.leaves_room(gap_m, look);
+    const Pair& pair = pairs_[i];
+    if (!is_past) {
+        const bool is_new = pair.seen != moves_;
+        if (is_new) see(i, look.shape);
+        gap_m = pair.ends.geometry.at.distance_m - (sight.thick_m + look.keep_m);
+        is_past = is_new && sight.leaves_room(gap_m, look);
     }
-    const bool is_end = pair.is_end;
-    const Capsule& scene = pair.scene;
-    const double kept_m = probe.capsule.thickness_m + scene.thickness_m + look.keep_m;
-    const double room_m = room_along(pair.at.normal, look.shape, probe.capsule.chord, scene.chord);
-    bool is_past = is_apart(i, room_m - kept_m, look);
-    if (!is_past && pair.seen != moves_) {
-        pair.at = separation(look.shape(probe.capsule.chord), scene.chord);
-        pair.seen = moves_;
-        is_past = is_apart(i, pair.at.distance_m - kept_m, look);
-    }
+    due_m_[i] = way_m_ + gap_m;
     if (is_past) {
         const bool is_far = due_m_[i] > far_m_;
         if (is_far) drop(i);
         return !is_far;
     }
-    const double gap_m = pair.at.distance_m - kept_m;
-    due_m_[i] = way_m_ + gap_m;
-    if (is_end && probe.edge >= 0) {
+    const ProbeNode& probe = shape_->nodes()[static_cast<std::size_t>(pair.probe)];
+    if (pair.is_end && probe.edge >= 0) {
         if (near_.size() < most_near) {
-            const Segment& edge = shape_->edges()[static_cast<std::size_t>(probe.edge)];
-            near_.push_back({{edge, scene.chord, pair.at}, pair.node});
+            near_.push_back(static_cast<std::uint32_t>(i));
             return true;
         }
         unopened_m_ = std::min(unopened_m_, gap_m);
         return true;
     }
     const bool is_scene =
-        probe.edge >= 0 || (!is_end && half_size(scene) > half_size(probe.capsule));
+        probe.edge >= 0 ||
+        (!pair.is_end &&
+         half_size({pair.ends.geometry.line, pair.scene_thick_m}) > half_size(probe.capsule));
     if (look.spender.spend(1) && split(i, is_scene)) return false;
     due_m_[i] = now;
     unopened_m_ = std::min(unopened_m_, gap_m);
     return true;
 }
 
-/// Returns whether pair i, `gap_m` off along its normal, stays apart. A point that turns falls
-/// short of its rate at the start by at most `bend_m`.
-bool ProbeFront::is_apart(std::size_t i, double gap_m, const Look& look) {
-    due_m_[i] = way_m_ + gap_m;
-    if (gap_m > look.reach_m) return true;
-    if (look.move == nullptr || !(gap_m >= 0.0)) return false;
-    const Pair& pair = pairs_[i];
-    const Capsule& probe = shape_->nodes()[static_cast<std::size_t>(pair.probe)].capsule;
-    const ProbeMove& move = *look.move;
-    const double turn = move.turn_rad;
-    const Direction n = look.shape.seen_by_shape(pair.at.normal);
-    const double turned_m =
-        std::min(turn * cross(probe.chord.a, n), turn * cross(probe.chord.b, n));
-    const double left_m = gap_m + dot(pair.at.normal, move.origin_by()) + turned_m -
-                          std::abs(turn) * probe.thickness_m - move.bend_m(shape_->r_max_m());
-    return left_m >= 0.0;
-}
-
+/// Puts the parts of a pair in its place and behind the others. Returns false if they do not fit.
 bool ProbeFront::split(std::size_t i, bool is_scene) {
     if (pairs_.size() + 3 > most_pairs) return false;
-    const Pair pair = pairs_[i];
-    std::array<Pair, 4> parts;
-    std::size_t count = 2;
-    if (is_scene) {
-        const TreeChildren children = parts_of(pair.node);
-        count = static_cast<std::size_t>(children.count);
-        for (std::size_t k = 0; k < count; ++k) parts[k] = {children.nodes[k], pair.probe};
-    } else {
-        const std::int32_t left = shape_->nodes()[static_cast<std::size_t>(pair.probe)].left;
-        parts[0] = {pair.node, left};
-        parts[1] = {pair.node, left + 1};
+    Pair part = pairs_[i];
+    part.seen = 0;
+    const Direction normal = part.ends.geometry.at.normal;
+    const auto give = [&](bool is_first) {
+        if (is_first) {
+            put(i, part, normal);
+        } else {
+            add(part, normal);
+        }
+    };
+    if (!is_scene) {
+        part.probe = shape_->nodes()[static_cast<std::size_t>(part.probe)].left;
+        give(true);
+        ++part.probe;
+        give(false);
+        return true;
     }
-    for (Pair& part : parts) part.at.normal = pair.at.normal;
-    replace(i, {parts.data(), count});
+    const TreeChildren children = parts_of(part.ends.node);
+    if (children.count == 0) drop(i);
+    for (int k = 0; k < children.count; ++k) {
+        see_scene(part, children.nodes[static_cast<std::size_t>(k)]);
+        give(k == 0);
+    }
     return true;
 }
 
-void ProbeFront::replace(std::size_t i, std::span<const Pair> parts) {
-    if (parts.empty()) {
-        drop(i);
-        return;
-    }
-    pairs_[i] = parts[0];
-    due_m_[i] = now;
-    for (const Pair& part : parts.subspan(1)) add(part);
-}
-
 void ProbeFront::drop(std::size_t i) {
+    sights_[i] = sights_.back();
     pairs_[i] = pairs_.back();
     due_m_[i] = due_m_.back();
+    sights_.pop_back();
     pairs_.pop_back();
     due_m_.pop_back();
 }
@@ -321,6 +247,13 @@ SegmentRef ProbeFront::segment_of(const NearPair& pair) const {
     const int part = std::min(static_cast<int>(t * parts), parts - 1);
     const int last = curves.rendered_count(node.piece, level) - 1;
     return {node.piece, std::min(node.index * parts + part, last)};
+}
+
+void ProbeFront::see_scene(Pair& pair, const TreeNode& node) {
+    const Capsule scene = capsule(node, pair.is_end);
+    pair.ends.node = node;
+    pair.ends.geometry.line = scene.chord;
+    pair.scene_thick_m = scene.thickness_m;
 }
 
 Capsule ProbeFront::capsule(const TreeNode& node, bool& is_end) {

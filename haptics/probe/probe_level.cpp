@@ -38,16 +38,15 @@ ProbeProxy::Room ProbeProxy::room_at(double level, const Springs& springs, Spend
     const int finer = static_cast<int>(std::floor(std::min(from, level)));
     const CurveSet& curves = front_.outlines().scene().curves;
     const double jump_m = largest_jump_N / springs.k_N_per_m;
-    const ProbePlacement placed(pose_);
     Room room{true, true};
     constraints_.clear();
-    wide_.look(placed, keep_m_, probe_touch_m, spender);
+    wide_.look(placed_, keep_m_, probe_touch_m, spender);
     if (!std::isinf(wide_.unopened_m())) return {false, false};
     for (const NearPair& pair : wide_.near()) {
         if (pair.node.level != finer + 1) continue;  // a piece without that octave
         const RenderedPiece before = curves.blend(pair.node.piece, finer, from - finer);
         const RenderedPiece after = curves.blend(pair.node.piece, finer, level - finer);
-        const Segment edge = placed(pair.geometry.edge);
+        const Segment edge = placed_(pair.geometry.edge);
         for (int j = 2 * pair.node.index; j <= 2 * pair.node.index + 1; ++j) {
             if (j >= before.segment_count()) continue;
             const Separation at = separation(edge, before.segment(j));
@@ -83,12 +82,12 @@ bool ProbeProxy::try_level(double level, const ProbePose& handle, const Springs&
         if (!(springs.k_N_per_m * std::sqrt(square(least.move)) <= largest_jump_N)) return false;
         if (!(work_J <= account_.balance_J())) return false;
         if (!(clear_share_of(move, spender, false) >= 1.0)) return false;
-        pose_ = start + move;
+        put(start + move);
         front_.spend(reach_m);
         wide_.spend(reach_m);
         room = room_at(level, springs, spender);
         if (!room.is_free) {
-            pose_ = start;
+            put(start);
             front_.spend(reach_m);
             return false;
         }

@@ -53,7 +53,7 @@ void ProbeProxy::reset(const ProbeShape& shape, const Scene& scene, const ProbeP
                        double level) {
     shape_ = &shape;
     keep_m_ = std::max(shape.radius_m(), probe_gap_m);
-    pose_ = handle;
+    put(handle);
     front_.reset(shape, scene, level);
     wide_.reset(shape, scene, level, FrontEnd::nodes);
     reserve();
@@ -96,11 +96,16 @@ ProbeReport ProbeProxy::step(const ProbePose& handle, double level, const ProbeS
     return report;
 }
 
+void ProbeProxy::put(const ProbePose& pose) {
+    pose_ = pose;
+    placed_ = ProbePlacement(pose);
+}
+
 /// The proxy jumps to the handle, and is placed there for good if nothing is near.
 void ProbeProxy::place(const ProbePose& handle, Spender& spender) {
     front_.spend((handle - pose_).reach_m(shape_->r_max_m()));
-    pose_ = handle;
-    front_.look(ProbePlacement(pose_), keep_m_, probe_touch_m, spender);
+    put(handle);
+    front_.look(placed_, keep_m_, probe_touch_m, spender);
     is_placed_ = front_.near().empty() && std::isinf(front_.unopened_m());
     if (path_ != nullptr) path_->assign(1, pose_);
 }
@@ -111,7 +116,11 @@ void ProbeProxy::press(const ProbePose& handle, const Springs& springs, Spender&
     Following following;
     std::size_t swept = 0;
     for (int i = 0; i < most_moves; ++i) {
-        front_.look(ProbePlacement(pose_), keep_m_, probe_mind_m, spender);
+        if (i == 0) {
+            front_.look(placed_, keep_m_, probe_mind_m, spender);
+        } else {
+            front_.look_again(placed_);
+        }
         const ProbeMove move = wanted_move(handle, springs, following, held);
         const double reach_m = move.reach_m(shape_->r_max_m());
         report.carried_m = 0.0;
@@ -151,12 +160,11 @@ void ProbeProxy::find_touching(const Springs& springs) {
     touching_.clear();
     pairs_.clear();
     sunk_m_ = 0.0;
-    const ProbePlacement placed(pose_);
     for (const NearPair& pair : front_.near()) {
         const EdgeAndLine& g = pair.geometry;
         const double gap_m = g.at.distance_m - keep_m_;
         if (gap_m > probe_mind_m || constraints_.size() == most_constraints) continue;
-        touching_.emplace_back(placed(g.edge), g.line, g.at, pose_.place(), springs.lever_m);
+        touching_.emplace_back(placed_(g.edge), g.line, g.at, pose_.place(), springs.lever_m);
         constraints_.push_back({touching_.back().row(), gap_m});
         pairs_.push_back(pair);
     }
@@ -192,11 +200,10 @@ ProbeMove ProbeProxy::wanted_move(const ProbePose& handle, const Springs& spring
 /// by the slack. Where nothing touches yet the move mostly ends early: it is looked along in parts.
 double ProbeProxy::free_share_of(const ProbeMove& move, Spender& spender) {
     const double reach_m = move.reach_m(shape_->r_max_m());
-    const ProbePlacement start(pose_);
     const double first_m = constraints_.empty() ? first_look_m : reach_m;
     double part = first_m < reach_m ? first_m / reach_m : 1.0;
     for (;; part = std::min(4.0 * part, 1.0)) {
-        front_.look_along(part * move, start, keep_m_, spender);
+        front_.look_along(part * move, placed_, keep_m_, spender);
         double share = part;
         if (front_.unopened_m() < part * reach_m) {
             share = std::max(front_.unopened_m(), 0.0) / reach_m;
@@ -204,7 +211,7 @@ double ProbeProxy::free_share_of(const ProbeMove& move, Spender& spender) {
         for (const NearPair& pair : front_.near()) {
             const double least_m = least_distance_m(keep_m_, pair.geometry.at.distance_m);
             if (pair.geometry.at.distance_m - least_m >= share * reach_m) continue;
-            share = clear_share(pair.geometry, pose_, start, move, least_m, share);
+            share = clear_share(pair.geometry, placed_, move, least_m, share);
         }
         if (!(share >= part) || part == 1.0) return share;
     }
@@ -215,9 +222,8 @@ double ProbeProxy::free_share_of(const ProbeMove& move, Spender& spender) {
 double ProbeProxy::clear_share_of(const ProbeMove& move, Spender& spender, bool can_shorten) {
     const double reach_m = move.reach_m(shape_->r_max_m());
     double share = free_share_of(move, spender);
-    const ProbePlacement start(pose_);
     free_m_ = share * reach_m;
-    const ProbePlacement end(pose_ + share * move);
+    const ProbePlacement end = placed_.after(share * move);
     for (const NearPair& pair : front_.near()) {
         const double start_m = pair.geometry.at.distance_m;
         if (start_m > keep_m_ + probe_mind_m) continue;
@@ -229,7 +235,7 @@ double ProbeProxy::clear_share_of(const ProbeMove& move, Spender& spender, bool 
         for (const NearPair& strict : front_.near()) {
             const double strict_m =
                 std::min(strict.geometry.at.distance_m, keep_m_ - probe_graze_m);
-            share = clear_share(strict.geometry, pose_, start, move, strict_m, share);
+            share = clear_share(strict.geometry, placed_, move, strict_m, share);
         }
         break;
     }
@@ -249,7 +255,7 @@ double ProbeProxy::advance(const ProbeMove& move, const ProbePose& handle, const
     const ProbePose to = pose_ + share * move;
     if (!(springs.energy_J(handle - to) <= springs.energy_J(handle - pose_))) return 0.0;
     if (path_ != nullptr) add_way(pose_, share * move, *path_);
-    pose_ = to;
+    put(to);
     front_.spend(share * reach_m);
     return share;
 }

@@ -112,13 +112,16 @@ class CurvedEnergy {
     /// Turns constraints into those of a plain energy.
     void see(std::span<const Constraint> constraints, std::vector<Constraint>& seen) const;
 
-    /// As least_move(), for this energy and constraints that see() turned. `held`: what held back a
-    /// move like it, and then this one.
-    [[nodiscard]] Coupled least(std::span<const Constraint> seen, const Coupled& wanted,
+    /// A wanted move as a plain energy sees it.
+    [[nodiscard]] Coupled see(const Coupled& wanted) const;
+
+    /// As least_move(), for this energy and what see() turned. `held`: what held back a move like
+    /// it, and then this one.
+    [[nodiscard]] Coupled least(std::span<const Constraint> seen, const Coupled& wanted_seen,
                                 LeastMove& held) const;
 
   private:
-    Curvature factor_{};  // lower triangle L; the energy is L L^T
+    Curvature factor_{};  // lower triangle L, on the diagonal 1 / L; the energy is L L^T
 };
 
 struct ProbeSettings {
@@ -214,6 +217,7 @@ class ProbeProxy {
     [[nodiscard]] Springs springs(const ProbeSettings& settings) const;
     [[nodiscard]] static ProbeMove move_of(const Coupled& move, const Springs& springs);
     void place(const ProbePose& handle, Spender& spender);
+    void put(const ProbePose& pose);
     void press(const ProbePose& handle, const Springs& springs, Spender& spender,
                ProbeReport& report);
     [[nodiscard]] bool follow_otherwise(Following& following) const;
@@ -223,7 +227,7 @@ class ProbeProxy {
     [[nodiscard]] bool curved_move(const Coupled& wanted, const Springs& springs,
                                    const Following& following, const LeastMove& held,
                                    ProbeMove& move);
-    [[nodiscard]] Coupled curved_end(const CurvedEnergy& energy, const Coupled& wanted,
+    [[nodiscard]] Coupled curved_end(const CurvedEnergy& energy, const Coupled& wanted_seen,
                                      Coupled move, const Springs& springs, double most_bend_m,
                                      LeastMove held);
     [[nodiscard]] Position pivot_of(const ProbeMove& move, const LeastMove& held) const;
@@ -246,6 +250,7 @@ class ProbeProxy {
     const ProbeShape* shape_ = nullptr;
     double keep_m_ = 0.0;  // the shape's radius, at least the gap
     ProbePose pose_;
+    ProbePlacement placed_;  // there
     ProbeFront front_;
     ProbeFront wide_;  // of nodes, for a change of level
     std::vector<Constraint> constraints_;

@@ -10,6 +10,8 @@ namespace {
 
 constexpr int most_bends = 6;        // corrections of a move for curving distances
 constexpr int most_shortenings = 4;  // of a roll
+constexpr double fits = 1.0 - 1e-9;  // of how long a roll may be
+constexpr double about_fits = 0.95;  // where nothing depends on it
 constexpr double least_flat = 0.4;   // share of a roll: if less follows the curve, lift off
 constexpr double most_sink_m = 0.75 * probe_slack_m;  // half-way of a roll
 constexpr double most_bend_m = 3.0 * probe_slack_m;   // of a straight way: a chord sinks a quarter
@@ -27,20 +29,23 @@ bool ProbeProxy::curved_move(const Coupled& wanted, const Springs& springs,
     const CurvedEnergy energy(touching_, held);
     energy.see(constraints_, seen_);
     LeastMove whole = held;
-    whole.move = energy.least(seen_, wanted, whole);
+    const Coupled wanted_seen = energy.see(wanted);
+    whole.move = energy.least(seen_, wanted_seen, whole);
     double share = shortening(whole.move, springs, following.longest_m);
     const auto is_worth = [&](const Coupled& curved) {
         return left_of_move(wanted, curved) <= square(wanted);
     };
+    const double least_fit = following.longest_m == longest_move_m ? about_fits : fits;
     for (int i = 0; i < most_shortenings; ++i) {
         const auto end_of_way = [&](double most_m) {
-            return curved_end(energy, share * wanted, share * whole.move, springs, most_m, whole);
+            return curved_end(energy, share * wanted_seen, share * whole.move, springs, most_m,
+                              whole);
         };
         const Coupled curved = end_of_way(INFINITY);
         move = rolling(curved, springs, held);
         const double fit = following.longest_m / move.reach_m(shape_->r_max_m());
         const double sink = sink_m(move) / most_sink_m;
-        if (fit >= 1.0 - 1e-9 && sink <= 1.0 && is_worth(curved)) return true;
+        if (fit >= least_fit && sink <= 1.0 && is_worth(curved)) return true;
         const double flat = sink > 1.0 ? 0.8 / std::sqrt(sink) : 1.0;
         if (flat < least_flat || (flat < 1.0 && move.pivot == Position{})) {
             const Coupled lifted = end_of_way(most_bend_m);
@@ -86,13 +91,13 @@ ProbeMove ProbeProxy::rolling(const Coupled& move, const Springs& springs,
     ProbeMove out = move_of(move, springs);
     out.pivot = pivot_of(out, held);
     if (out.pivot == Position{}) return out;
-    out.by = out.by + turned(out.pivot, out.turn_rad) - out.pivot;
+    out.by = out.by + Rotation(out.turn_rad)(out.pivot) - out.pivot;
     return out;
 }
 
 /// Returns how much nearer than at the start and than kept a touching line is half-way.
 double ProbeProxy::sink_m(const ProbeMove& move) const {
-    const ProbePlacement half(ProbePose{} + 0.5 * move);
+    const ProbePlacement half = ProbePlacement{}.after(0.5 * move);
     double most_m = 0.0;
     for (std::size_t i = 0; i < touching_.size(); ++i) {
         const double start_m = std::min(pairs_[i].geometry.at.distance_m, keep_m_);
@@ -104,10 +109,10 @@ double ProbeProxy::sink_m(const ProbeMove& move) const {
 /// Returns the least move along distances that curve: finds what they are after the move, then the
 /// move again. A bend counts up to `most_bend_m`. seen_ holds the constraints as the energy sees
 /// them; `held`: what holds back a move like it.
-Coupled ProbeProxy::curved_end(const CurvedEnergy& energy, const Coupled& wanted, Coupled move,
+Coupled ProbeProxy::curved_end(const CurvedEnergy& energy, const Coupled& wanted_seen, Coupled move,
                                const Springs& springs, double most_bend_m, LeastMove held) {
     for (int round = 0; round < most_bends; ++round) {
-        const ProbePlacement moved(ProbePose{} + move_of(move, springs));
+        const ProbePlacement moved = ProbePlacement{}.after(move_of(move, springs));
         for (std::size_t i = 0; i < touching_.size(); ++i) {
             const double start_m = pairs_[i].geometry.at.distance_m;
             const double straight_m = start_m + dot3(touching_[i].row(), move);
@@ -115,7 +120,7 @@ Coupled ProbeProxy::curved_end(const CurvedEnergy& energy, const Coupled& wanted
             seen_[i].gap_m = start_m - keep_m_ + sunk_m_ + std::min(bend_m, most_bend_m);
         }
         const Coupled before = move;
-        move = energy.least(seen_, wanted, held);
+        move = energy.least(seen_, wanted_seen, held);
         if (left_of_move(before, move) < probe_rest_m * probe_rest_m) break;
     }
     return move;

@@ -18,7 +18,7 @@ bool solve(const std::array<const Constraint*, most_active>& rows, int k, const 
     std::array<std::array<double, 3>, 3> g{};
     for (std::size_t i = 0; i < static_cast<std::size_t>(k); ++i) {
         lack[i] = -rows[i]->gap_m - dot3(rows[i]->row, wanted);
-        for (std::size_t j = 0; j < static_cast<std::size_t>(k); ++j) {
+        for (std::size_t j = i; j < static_cast<std::size_t>(k); ++j) {
             g[i][j] = dot3(rows[i]->row, rows[j]->row);
         }
     }
@@ -45,6 +45,33 @@ bool solve(const std::array<const Constraint*, most_active>& rows, int k, const 
     push[1] = (c1 * lack[0] + c11 * lack[1] + c12 * lack[2]) / size;
     push[2] = (c2 * lack[0] + c12 * lack[1] + c22 * lack[2]) / size;
     return true;
+}
+
+/// Finds the move that the active constraints just allow, and their pushes. Returns false if one of
+/// them pulls.
+bool push(std::span<const Constraint> constraints, const Coupled& wanted, LeastMove& held) {
+    const auto k = static_cast<std::size_t>(held.active_count);
+    std::array<const Constraint*, most_active> rows{};
+    for (std::size_t i = 0; i < k; ++i) {
+        rows[i] = &constraints[static_cast<std::size_t>(held.active[i])];
+    }
+    if (!solve(rows, held.active_count, wanted, held.push_m)) return false;
+    held.move = wanted;
+    for (std::size_t i = 0; i < k; ++i) {
+        if (!(held.push_m[i] >= 0.0)) return false;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            held.move[axis] += held.push_m[i] * rows[i]->row[axis];
+        }
+    }
+    return true;
+}
+
+/// Returns whether the active constraints still hold the move back; if not, `held` says nothing.
+bool is_still(std::span<const Constraint> constraints, const Coupled& wanted, LeastMove& held) {
+    if (held.active_count == 0 || !push(constraints, wanted, held)) return false;
+    return std::all_of(constraints.begin(), constraints.end(), [&held](const Constraint& c) {
+        return dot3(c.row, held.move) + c.gap_m >= -tolerance_m;
+    });
 }
 
 /// The candidates that count, and the best of their subsets.
@@ -79,44 +106,14 @@ class Candidates {
         return false;
     }
 
-    /// Returns whether the same constraints as before hold the move back.
-    bool is_still(const LeastMove& before, LeastMove& out) {
-        LeastMove tried;
-        if (!is_push(before.active, before.active_count, tried)) return false;
-        for (const Constraint& c : constraints_) {
-            if (dot3(c.row, tried.move) + c.gap_m < -tolerance_m) return false;
-        }
-        out = tried;
-        return true;
-    }
-
   private:
-    /// Finds the move that is just allowed by k constraints. Returns false if one of them pulls.
-    bool is_push(const std::array<int, most_active>& active, int k, LeastMove& tried) const {
-        std::array<const Constraint*, most_active> rows{};
-        for (std::size_t i = 0; i < static_cast<std::size_t>(k); ++i) {
-            rows[i] = &constraints_[static_cast<std::size_t>(active[i])];
-        }
-        tried.active = active;
-        tried.active_count = k;
-        if (!solve(rows, k, wanted_, tried.push_m)) return false;
-        tried.move = wanted_;
-        for (std::size_t i = 0; i < static_cast<std::size_t>(k); ++i) {
-            if (!(tried.push_m[i] >= 0.0)) return false;
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                tried.move[axis] += tried.push_m[i] * rows[i]->row[axis];
-            }
-        }
-        return true;
-    }
-
     bool is_least(const std::array<int, most_active>& subset, int k, LeastMove& out) const {
         LeastMove tried;
-        std::array<int, most_active> active{-1, -1, -1};
+        tried.active_count = k;
         for (std::size_t i = 0; i < static_cast<std::size_t>(k); ++i) {
-            active[i] = index_[static_cast<std::size_t>(subset[i])];
+            tried.active[i] = index_[static_cast<std::size_t>(subset[i])];
         }
-        if (!is_push(active, k, tried)) return false;
+        if (!push(constraints_, wanted_, tried)) return false;
         for (int i = 0; i < count_; ++i) {
             const Constraint& c =
                 constraints_[static_cast<std::size_t>(index_[static_cast<std::size_t>(i)])];
@@ -153,14 +150,15 @@ bool is_end(Position p, const Segment& s) {
     return p == s.a || p == s.b;
 }
 
-/// Finds the lower triangle with L L^T = m. Returns false if m is not clearly positive.
+/// Finds the lower triangle with L L^T = m, and on its diagonal 1 / L. Returns false if m is not
+/// clearly positive.
 bool factor(Curvature& m) {
     for (std::size_t j = 0; j < 3; ++j) {
         for (std::size_t i = j; i < 3; ++i) {
             double left = m[i][j];
             for (std::size_t k = 0; k < j; ++k) left -= m[i][k] * m[j][k];
             if (i == j && !(left > least_pivot)) return false;
-            m[i][j] = i == j ? std::sqrt(left) : left / m[j][j];
+            m[i][j] = i == j ? 1.0 / std::sqrt(left) : left * m[j][j];
         }
     }
     return true;
@@ -168,34 +166,27 @@ bool factor(Curvature& m) {
 
 /// Solves L x = b.
 Coupled forward(const Curvature& l, const Coupled& b) {
-    Coupled x{};
-    for (std::size_t i = 0; i < 3; ++i) {
-        double left = b[i];
-        for (std::size_t k = 0; k < i; ++k) left -= l[i][k] * x[k];
-        x[i] = left / l[i][i];
-    }
-    return x;
+    const double x = b[0] * l[0][0];
+    const double y = (b[1] - l[1][0] * x) * l[1][1];
+    return {x, y, (b[2] - l[2][0] * x - l[2][1] * y) * l[2][2]};
 }
 
 /// Solves L^T x = b.
 Coupled backward(const Curvature& l, const Coupled& b) {
-    Coupled x{};
-    for (std::size_t i = 3; i-- > 0;) {
-        double left = b[i];
-        for (std::size_t k = i + 1; k < 3; ++k) left -= l[k][i] * x[k];
-        x[i] = left / l[i][i];
-    }
-    return x;
+    const double z = b[2] * l[2][2];
+    const double y = (b[1] - l[2][1] * z) * l[1][1];
+    return {(b[0] - l[1][0] * y - l[2][0] * z) * l[0][0], y, z};
 }
 
 }  // namespace
 
 LeastMove least_move(std::span<const Constraint> constraints, const Coupled& wanted,
                      const LeastMove& like) {
-    LeastMove out;
+    LeastMove out = like;
+    if (is_still(constraints, wanted, out)) return out;
+    out = {};
     out.move = wanted;
     Candidates candidates(constraints, wanted);
-    if (like.active_count > 0 && candidates.is_still(like, out)) return out;
     for (int round = 0; round < most_rounds && !candidates.is_full(); ++round) {
         const int broken = most_broken(constraints, out.move, candidates);
         if (broken < 0) break;
@@ -261,13 +252,19 @@ CurvedEnergy::CurvedEnergy(std::span<const Touching> touching, const LeastMove& 
 
 void CurvedEnergy::see(std::span<const Constraint> constraints,
                        std::vector<Constraint>& seen) const {
-    seen.clear();
-    for (const Constraint& c : constraints) seen.push_back({forward(factor_, c.row), c.gap_m});
+    seen.resize(constraints.size());
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        seen[i] = {forward(factor_, constraints[i].row), constraints[i].gap_m};
+    }
 }
 
-Coupled CurvedEnergy::least(std::span<const Constraint> seen, const Coupled& wanted,
+Coupled CurvedEnergy::see(const Coupled& wanted) const {
+    return forward(factor_, wanted);
+}
+
+Coupled CurvedEnergy::least(std::span<const Constraint> seen, const Coupled& wanted_seen,
                             LeastMove& held) const {
-    held = least_move(seen, forward(factor_, wanted), held);
+    if (!is_still(seen, wanted_seen, held)) held = least_move(seen, wanted_seen);
     return backward(factor_, held.move);
 }
 

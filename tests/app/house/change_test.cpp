@@ -214,6 +214,17 @@ TEST_F(OneKiosk, IsUnchangedWhereWhoeverJudgesSaysNo) {
     EXPECT_EQ(hidden_things(), 0);
 }
 
+/// What takes long is over by then: a running kiosk may write its settings meanwhile.
+TEST_F(OneKiosk, IsJudgedOnceAllThatIsNewIsWritten) {
+    int staged = 0;
+    const auto judge = [&]() -> Result<void> {
+        staged = hidden_things();
+        return {};
+    };
+    ASSERT_TRUE(change(places(), things(), 100, judge).has_value());
+    EXPECT_EQ(staged, static_cast<int>(things().size()) + 1) << "with the record";
+}
+
 TEST_F(OneKiosk, IsUnchangedWhereSomethingCannotBeWritten) {
     const FolderPicture before = picture();
     std::vector<NewThing> all = things();

@@ -265,6 +265,7 @@ class ShellBesideTheKiosk : public PinAndPlug {
     ShellBesideTheKiosk() {
         const auto key = make_house_key(other_.house);
         EXPECT_TRUE(key && trust_house_key(files_.house, *key));
+        EXPECT_TRUE(keep_pin(files_.pin, "0001"));
     }
 
     /// The other kiosk's settings and its profile "school", as a bundle that is applied here.
@@ -298,6 +299,64 @@ TEST_F(ShellBesideTheKiosk, BringsAProfileThatHoldsAtOnce) {
     ASSERT_TRUE(way && go_back(*way, files_.house));
     ASSERT_TRUE(operator_->read_again()) << "what is taken back holds at once too";
     EXPECT_EQ(operator_->settings().force_ceiling_N, 1.0);
+}
+
+TEST_F(ShellBesideTheKiosk, CountsAtOnceAlsoWhileTheScreensAreOpen) {
+    try_pin(1);
+    ASSERT_TRUE(operator_->is_inside());
+    Settings theirs;
+    theirs.friction = 0.4;
+    apply("[sound]\nspeech = true\n", theirs);
+    ASSERT_TRUE(operator_->read_again());
+    EXPECT_EQ(operator_->settings().friction, 0.4);
+}
+
+/// Each of the two changed something else, and both hold.
+TEST_F(ShellBesideTheKiosk, LosesNothingToAValueThatIsTurnedMeanwhile) {
+    try_pin(1);
+    ASSERT_TRUE(choose("How it feels") && choose("Lines and force") && choose("Firmness"));
+    press(KeyRole::down);
+    EXPECT_EQ(operator_->settings().stiffness_N_per_m, 450.0) << "felt, and not kept yet";
+    Settings theirs;
+    theirs.friction = 0.4;
+    apply("[sound]\nspeech = true\n", theirs);
+    EXPECT_FALSE(operator_->read_again()) << "a value is being turned";
+    press(KeyRole::select);
+    EXPECT_EQ(said_, "Saved.");
+    const Settings kept = read_settings(files_.settings).settings;
+    EXPECT_EQ(kept.friction, 0.4);
+    EXPECT_EQ(kept.stiffness_N_per_m, 450.0);
+    EXPECT_EQ(operator_->settings(), kept);
+    press(KeyRole::select);
+    press(KeyRole::down);
+    press(KeyRole::select);
+    EXPECT_EQ(read_settings(files_.settings).settings.friction, 0.4);
+    EXPECT_EQ(operator_->settings().stiffness_N_per_m, 400.0);
+}
+
+TEST_F(ShellBesideTheKiosk, AndTheOperatorMayNotContradictEachOther) {
+    try_pin(1);
+    ASSERT_TRUE(choose("How it feels") && choose("Levels") && choose("Finest level"));
+    for (int i = 0; i < 3; ++i) press(KeyRole::up);
+    Settings theirs;
+    theirs.coarsest_level = 2.0;
+    apply("[sound]\nspeech = true\n", theirs);
+    press(KeyRole::select);
+    EXPECT_EQ(said_, "That does not go together with another setting.");
+    EXPECT_EQ(read_settings(files_.settings).settings, theirs);
+    ASSERT_TRUE(operator_->read_again());
+    EXPECT_EQ(operator_->settings(), theirs);
+}
+
+TEST_F(ShellBesideTheKiosk, IsOverwrittenByTheFactorySettings) {
+    try_pin(1);
+    ASSERT_TRUE(choose("Upkeep") && choose("Backup of the settings") && choose("Factory settings"));
+    Settings theirs;
+    theirs.friction = 0.4;
+    apply("[sound]\nspeech = true\n", theirs);
+    EXPECT_FALSE(operator_->read_again()) << "a question waits";
+    ASSERT_TRUE(choose("Yes"));
+    EXPECT_EQ(read_settings(files_.settings).settings, Settings{});
 }
 
 /// The other kiosk of the house made a bundle and its key; both are on the stick.

@@ -276,6 +276,18 @@ RC_GTEST_PROP(SettingRows, OfTheHouseAreTakenAndOfTheKioskAreKept, ()) {
                   value_of(row.owner == SettingOwner::house ? house : kiosk, row));
 }
 
+RC_GTEST_PROP(SettingRows, ChangedHereAreTakenAndAllOthersAreTheLatest, ()) {
+    const Settings latest = any_settings();
+    const Settings base = any_settings();
+    const Settings edited = any_settings();
+    const Settings both = with_changes(latest, base, edited);
+    for (const SettingRow& row : setting_rows()) {
+        const bool is_changed = value_of(edited, row) != value_of(base, row);
+        RC_ASSERT(value_of(both, row) == value_of(is_changed ? edited : latest, row));
+    }
+    RC_ASSERT(with_changes(base, base, edited) == edited);
+}
+
 RC_GTEST_PROP(SettingsText, IsReadBackToTheSameBits, ()) {
     const Settings settings = any_settings();
     const auto all = apply_settings({}, settings_text(settings), "f", SettingLayer::site);

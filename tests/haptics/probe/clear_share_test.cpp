@@ -15,7 +15,7 @@ namespace {
 double share(const Segment& edge, const Segment& line, const ProbePose& from,
              const ProbeMove& move) {
     const Separation at = separation(ProbePlacement(from)(edge), line);
-    return clear_share({edge, line, at}, from, ProbePlacement(from), move, 1e-6, 1.0);
+    return clear_share({edge, line, at}, ProbePlacement(from), move, 1e-6, 1.0);
 }
 
 TEST(ClearShare, OfAStraightFallEndsAtTheDistanceKept) {
@@ -61,8 +61,7 @@ TEST(ClearShare, KeepsItsDistanceUnderAnyPivot) {
         const ProbeMove move{place(2e-3), 0.4 * (random.unit() - 0.5), place(0.04)};
         const Separation at = separation(ProbePlacement(from)(edge), line);
         if (at.distance_m <= keep_m) continue;
-        const double share =
-            clear_share({edge, line, at}, from, ProbePlacement(from), move, keep_m, 1.0);
+        const double share = clear_share({edge, line, at}, ProbePlacement(from), move, keep_m, 1.0);
         cut += share < 1.0 ? 1 : 0;
         for (int k = 0; k <= 50; ++k) {
             const ProbePlacement then(from + (share * k / 50.0) * move);

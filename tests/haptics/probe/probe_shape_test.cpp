@@ -87,5 +87,24 @@ TEST(ProbeMove, ItsRecordedWayIsWithinANanometre) {
     EXPECT_GT(most, 100U);
 }
 
+TEST(Rotation, IsRightWhereItIsASeriesAndWhereNot) {
+    for (double angle_rad = -0.3; angle_rad <= 0.3; angle_rad += 1e-3) {
+        const Position turned = Rotation(angle_rad)(Position{1.0, 0.0});
+        EXPECT_NEAR(turned.x, std::cos(angle_rad), 3e-16) << angle_rad;
+        EXPECT_NEAR(turned.y, std::sin(angle_rad), 3e-16) << angle_rad;
+    }
+    EXPECT_TRUE(std::isnan(Rotation(NAN)(Position{1.0, 0.0}).x));
+}
+
+TEST(ProbePlacement, AfterAMoveIsThatOfThePoseAfterIt) {
+    const ProbePose from{0.03, -0.02, 1.2};
+    for (const double turn_rad : {0.0, 1e-9, -0.1, 0.7, 3.0}) {
+        const ProbeMove move{{2e-4, -3e-4}, turn_rad, {0.004, 0.001}};
+        const Position corner{0.005, -0.003};
+        const Position after = ProbePlacement(from).after(move)(corner);
+        EXPECT_NEAR(norm(after - ProbePlacement(from + move)(corner)), 0.0, 1e-17) << turn_rad;
+    }
+}
+
 }  // namespace
 }  // namespace touchline
