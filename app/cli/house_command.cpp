@@ -64,9 +64,8 @@ Result<void> make_one(const BundleCommandOptions& options, std::ostream& out) {
     const auto bundle = make_bundle(house_places(), now);
     if (!bundle) return as_failure(bundle.error());
     if (const auto written = write_whole_file(options.output, *bundle); !written) return written;
-    out << plain_line(fmt::format("{}: {:.1f} MB", options.output,
-                                  static_cast<double>(bundle->size()) / 1e6))
-        << '\n';
+    const std::size_t begun_kB = (bundle->size() + 999) / 1000;
+    out << plain_line(fmt::format("{}: {} kB", options.output, begun_kB)) << '\n';
     return {};
 }
 

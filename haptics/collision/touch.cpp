@@ -1,5 +1,7 @@
 #include "haptics/collision/touch.h"
 
+#include "haptics/collision/box.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -246,8 +248,8 @@ std::optional<Touch> touch(Position from, Position to, double radius_m, const Se
     // Away from a line that it lies beside, a disc only gets farther from the segment.
     const bool is_beside = below.parameter > 0.0 && below.parameter < 1.0;
     if (is_beside && cross(e, from - segment.a) * cross(e, to - from) >= 0.0) return {};
-    const double length = norm(e);
     const double start = below.distance_m;
+    if (start - radius_m > length_bound(to - from)) return {};  // too far away
     // Over many motions a tolerance would add up, so there is none once half the skin is gone, even
     // for a disc that keeps less than its radius by now.
     const bool is_kept = start > std::max(radius_m - 0.5 * contact_skin_m, 0.5 * contact_skin_m);
@@ -258,7 +260,7 @@ std::optional<Touch> touch(Position from, Position to, double radius_m, const Se
         if (next && (!first || next->fraction < first->fraction)) first = next;
     };
     if (!is_point(segment)) {
-        const Descent descent = descent_of(motion, segment, e, length);
+        const Descent descent = descent_of(motion, segment, e, norm(e));
         // The disc comes at least as near to the line as to any point of the segment, so a touched
         // side is the first.
         if (const auto side = touch_line(motion, descent)) return side;
@@ -277,6 +279,12 @@ std::optional<WallMeeting> meeting(Position p, const Segment& from, const Segmen
     const double c0 = cross(start.edge, start.to_p);
     const double c1 = cross(start.edge, shift) + cross(turn, start.to_p);
     const double c2 = cross(turn, shift);
+    // A parabola stays inside the triangle of its ends and the crossing of its tangents there.
+    const double between = c0 + 0.5 * c1;
+    const double last = c0 + c1 + c2;
+    if ((c0 > 0.0 && between > 0.0 && last > 0.0) || (c0 < 0.0 && between < 0.0 && last < 0.0)) {
+        return {};
+    }
     for (const double share : roots(c0, c1, c2)) {
         if (!(share >= 0.0 && share <= 1.0)) continue;
         const Seen then = seen_at(p, from, to, share);

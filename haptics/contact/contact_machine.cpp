@@ -274,30 +274,22 @@ int ContactMachine::move_wall(double level, Position handle, const ContactSettin
     const bool is_whole_way = pace_octaves_ >= std::abs(goal - from);
     const double to = is_whole_way ? goal : from + std::copysign(pace_octaves_, goal - from);
     MovingWall motion(outlines_, to, radius_m_, budget);
-    const auto carried = motion.carry(proxy_, handle);
+    const auto carried = motion.carry(
+        proxy_, handle, {settings.stiffness_N_per_m, largest_push_N, account_.balance_J()});
     if (!carried) {
         pace_octaves_ = std::min(dt_s / octave_s, largest_octaves);
         return motion.boxes();
     }
-    const double push_N = settings.stiffness_N_per_m * carried->moved_m;
-    if (push_N <= largest_push_N) {
-        adopt(*carried, motion.after(), handle, settings.stiffness_N_per_m);
+    if (carried->push_N <= largest_push_N) {
+        if (carried->is_allowed && account_.spend(carried->work_J)) {
+            proxy_ = carried->proxy;
+            outlines_ = motion.after();
+        }
         pace_octaves_ = std::min(2.0 * pace_octaves_, largest_octaves);
     } else {
-        pace_octaves_ = 0.95 * std::abs(to - from) * largest_push_N / push_N;
+        pace_octaves_ = 0.95 * std::abs(to - from) * largest_push_N / carried->push_N;
     }
     return motion.boxes();
-}
-
-/// Adopts the motion unless the wall would do work on the hand that is not covered.
-void ContactMachine::adopt(const Carried& carried, const RenderedOutlines& outlines,
-                           Position handle, double stiffness_N_per_m) {
-    const Position before = handle - proxy_.centre;
-    const Position after = handle - carried.proxy.centre;
-    const double work_J = 0.5 * stiffness_N_per_m * (dot(after, after) - dot(before, before));
-    if (!account_.spend(work_J)) return;
-    proxy_ = carried.proxy;
-    outlines_ = outlines;
 }
 
 void ContactMachine::fill(ContactReport& report) {

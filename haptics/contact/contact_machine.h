@@ -20,10 +20,20 @@ namespace touchline {
 // from one level towards another and carries the proxy along, on the side it had. If it finds no
 // consistent place, nothing moves and the change waits.
 
-/// The result for a proxy in contact. Its segments are numbered at a single rendered level.
+/// What a motion of the wall may do to the hand in a tick.
+struct WallAllowance {
+    double stiffness_N_per_m = 0.0;
+    double push_N = 0.0;
+    double work_J = 0.0;
+};
+
+/// Where a motion of the wall takes the proxy. Its segments are numbered at a single rendered
+/// level.
 struct Carried {
     ProxyState proxy;
-    double moved_m = 0.0;  // with the slide to the handle's foot that follows
+    double push_N = 0.0;  // on the hand, with the slide to the handle's foot that follows
+    double work_J = 0.0;
+    bool is_allowed = true;  // false: more than allowed, and whether the way is free is not known
 };
 
 class MovingWall {
@@ -31,10 +41,12 @@ class MovingWall {
     /// `to` is the level after the motion; it lies within one octave with that of `outlines`.
     MovingWall(const RenderedOutlines& outlines, double to, double radius_m, const Budget& budget);
 
-    /// Returns the proxy after the motion, with no line crossed on the way. Returns nothing if
-    /// there is no such place or the budget ended. A free proxy that a wall reaches becomes a
-    /// contact. At most 6 queries.
-    [[nodiscard]] std::optional<Carried> carry(const ProxyState& proxy, Position handle);
+    /// Returns the proxy after the motion, with no line crossed on the way if it is allowed.
+    /// Returns nothing if there is no such place or the budget ended. A free proxy that a wall
+    /// reaches becomes a contact. At most 6 queries; none for a contact that may not be taken so
+    /// far, or whose edges are alone.
+    [[nodiscard]] std::optional<Carried> carry(const ProxyState& proxy, Position handle,
+                                               const WallAllowance& allowance);
 
     /// The outlines after the motion.
     [[nodiscard]] const RenderedOutlines& after() const { return after_; }
@@ -54,20 +66,32 @@ class MovingWall {
         [[nodiscard]] bool holds(Direction normal) const;
     };
 
-    [[nodiscard]] double way_m(const ProxyState& from, const ProxyState& to, Position handle) const;
-    [[nodiscard]] std::optional<ProxyState> carry_free(const ProxyState& proxy);
-    [[nodiscard]] std::optional<ProxyState> pushed(const ProxyState& proxy, const WallHit& hit);
-    [[nodiscard]] std::optional<ProxyState> carry_edge(const ProxyState& proxy);
-    [[nodiscard]] std::optional<ProxyState> carry_round(const ProxyState& proxy);
-    [[nodiscard]] std::optional<ProxyState> carry_corner(const ProxyState& proxy);
-    [[nodiscard]] std::optional<ProxyState> carry_between(const ProxyState& proxy);
+    /// A contact's edges: as rendered before the motion, in the octave's finer level, and after.
+    struct Edges {
+        Excluded before, halves, after;
+    };
+
+    [[nodiscard]] double way_m(const ProxyState& from, const ProxyState& to) const;
+    [[nodiscard]] Carried effect(const ProxyState& from, const ProxyState& to) const;
+    [[nodiscard]] std::optional<Carried> reached(const ProxyState& from, const ProxyState& to,
+                                                 const Edges& own);
+    [[nodiscard]] std::optional<Carried> carry_free(const ProxyState& proxy);
+    [[nodiscard]] std::optional<Carried> pushed(const ProxyState& proxy, const WallHit& hit);
+    [[nodiscard]] std::optional<Carried> carry_edge(const ProxyState& proxy);
+    [[nodiscard]] std::optional<Carried> carry_round(const ProxyState& proxy);
+    [[nodiscard]] std::optional<Carried> carry_corner(const ProxyState& proxy);
+    [[nodiscard]] std::optional<Carried> carry_between(const ProxyState& proxy);
     [[nodiscard]] Joint joint_of(const Contact& at, bool at_end);
 
-    [[nodiscard]] bool is_way_free(Position from, Position to, const Excluded& before,
-                                   const Excluded& halves, const Excluded& after);
+    [[nodiscard]] bool is_way_free(Position from, Position to, const Edges& own);
     [[nodiscard]] bool is_free(RenderedOutlines& at, Position from, Position to,
                                const Excluded& excluded);
     [[nodiscard]] bool is_swept(Position p, const Excluded& halves);
+    [[nodiscard]] bool is_alone(const Excluded& halves) const;
+    [[nodiscard]] bool is_way_free_alone(Position from, Position to, const Edges& own);
+    [[nodiscard]] bool is_free_alone(RenderedOutlines& at, Position from, Position to,
+                                     const Excluded& excluded);
+    [[nodiscard]] bool is_swept_alone(Position p, const Excluded& halves) const;
     [[nodiscard]] WallHit first_wall(Position p, const Excluded& halves);
 
     [[nodiscard]] Contact halved(Contact contact) const;
@@ -79,6 +103,8 @@ class MovingWall {
     LevelChange change_;
     double radius_m_;
     Budget budget_;
+    Position handle_;
+    WallAllowance allowance_;
     int boxes_ = 0;
     bool is_cut_ = false;
 };
@@ -198,8 +224,6 @@ class ContactMachine {
     /// Moves to `level`, which differs from the rendered one. Returns the number of boxes opened.
     int change_level(double level, Position handle, const ContactSettings& settings,
                      const Budget& budget, double dt_s);
-    void adopt(const Carried& carried, const RenderedOutlines& outlines, Position handle,
-               double stiffness_N_per_m);
     void book(Position handle, Position start, double stiffness_N_per_m, double dt_s);
     int move_wall(double level, Position handle, const ContactSettings& settings,
                   const Budget& budget, double dt_s);

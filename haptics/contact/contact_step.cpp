@@ -76,22 +76,19 @@ ContactStep::Next ContactStep::move_free() {
 }
 
 ContactStep::Next ContactStep::move_on_edge() {
-    if (is_thin(first())) {
-        if (rest_on_edge()) return Next::done;
-        const bool is_on = stride();
-        if ((is_on && rest_on_edge()) || rest_in_corner()) return Next::done;
-        if (lift_off() || is_on) return Next::again;
+    Course course = course_on_edge();
+    if (course.depth_m >= 0.0 && is_thin(first())) {
+        if (rest_on_edge(course)) return Next::done;
+        const bool is_on = stride(course);
+        if (is_on) course = course_on_edge();
+        if ((is_on && rest_on_edge(course)) || rest_in_corner(course)) return Next::done;
+        if (lift_off(course) || is_on) return Next::again;
     }
     ++walks_;
-    const Contact& at = first();
-    const Position pull = handle_ - proxy_.centre;
-    const double depth = -dot(pull, at.normal);
-    if (depth < 0.0) return let_go();
-    const Segment s = outlines_.segment(at.segment);
-    const double way_m = dot(pull, direction_of(s.b - s.a));
-    const double held_m = held_by_friction(settings_.friction, depth);
-    if (std::abs(way_m) <= std::max(held_m, still_m)) return Next::done;
-    return slide(way_m - std::copysign(held_m, way_m));
+    if (course.depth_m < 0.0) return let_go();
+    const double held_m = held_by_friction(settings_.friction, course.depth_m);
+    if (std::abs(course.pulled_m) <= std::max(held_m, still_m)) return Next::done;
+    return slide(course.pulled_m - std::copysign(held_m, course.pulled_m));
 }
 
 /// Goes `way_m` along the contact's edge, or to the end of the last edge in line with it. An edge
@@ -162,9 +159,10 @@ bool ContactStep::is_thin(const Contact& at) const {
            at.offset_m >= 0.5 * contact_skin_m;
 }
 
-ContactStep::Course ContactStep::course_on(const Edge& edge) {
+ContactStep::Course ContactStep::course_on_edge() {
     const Contact& at = first();
     const Position pull = handle_ - proxy_.centre;
+    const Edge& edge = outlines_.edge(at.segment);
     Course course;
     course.pulled_m = dot(pull, edge.along);
     course.is_forward = course.pulled_m > 0.0;
@@ -176,13 +174,12 @@ ContactStep::Course ContactStep::course_on(const Edge& edge) {
 
 /// A slide that stops short of the end of an open edge, and so needs no sweep. Returns false, and
 /// does nothing, if there is more to it.
-bool ContactStep::rest_on_edge() {
+bool ContactStep::rest_on_edge(const Course& course) {
     Contact& at = first();
-    const Edge& edge = outlines_.edge(at.segment);
-    const Course course = course_on(edge);
     const bool is_short = course.way_m > 0.0 && course.way_m + 2.0 * at.offset_m <= course.left_m;
     if (!(course.depth_m >= 0.0 && is_short)) return false;
     if (!outlines_.is_open(at.segment, course.is_forward)) return false;
+    const Edge& edge = outlines_.edge(at.segment);
     at.parameter += std::copysign(course.way_m * edge.per_length_m, course.pulled_m);
     place_at_contact(edge.segment);
     return true;
@@ -190,21 +187,24 @@ bool ContactStep::rest_on_edge() {
 
 /// Passes as many vertices as the handle clearly pulls a thin proxy over. Returns false, and does
 /// nothing, if there are none.
-bool ContactStep::stride() {
+bool ContactStep::stride(const Course& course) {
     Contact& at = first();
     const EdgeRow& row = outlines_.row(at.segment.piece);
     if (row.points.empty() || !outlines_.is_alone(at.segment)) return false;
-    const Edge edge = outlines_.edge(at.segment);
-    const Course course = course_on(edge);
     const bool is_forward = course.is_forward;
     if (!(course.left_m > 3.0 * at.offset_m)) return false;
-    const int passed = vertices_passed(row, outlines_.scene().tree, at.segment.index, is_forward,
-                                       {handle_, at.side, settings_.friction},
-                                       std::min(longest_stride, max_walks - walks_));
-    if (passed == 0) return false;
-    walks_ += passed;
+    const Pull pull{handle_, at.side, settings_.friction};
     const int step = is_forward ? 1 : -1;
-    const int last = at.segment.index + step * (passed - 1);
+    int last = at.segment.index - step;  // edge before a vertex that is passed
+    bool is_on = true;
+    while (is_on && walks_ < max_walks && !is_late()) {
+        const int passed = vertices_passed(row, outlines_.scene().tree, last + step, is_forward,
+                                           pull, std::min(longest_stride, max_walks - walks_));
+        is_on = passed == longest_stride;
+        last += step * passed;
+        walks_ += passed;
+    }
+    if (last == at.segment.index - step) return false;
     if (path_ != nullptr) {
         for (int index = at.segment.index; index != last; index += step) {
             mark(passage_after(index, step));
@@ -222,10 +222,9 @@ bool ContactStep::stride() {
 
 /// Goes into a concave vertex at the end of an open edge if the handle does not pull a thin proxy
 /// on: both edges hold it. Returns false, and does nothing, if there is more to it.
-bool ContactStep::rest_in_corner() {
+bool ContactStep::rest_in_corner(const Course& course) {
     Contact& at = first();
     const Edge edge = outlines_.edge(at.segment);
-    const Course course = course_on(edge);
     const bool is_forward = course.is_forward;
     if (!course.is_past_end() || !outlines_.is_open(at.segment, is_forward)) return false;
     const SegmentRef next = outlines_.next(at.segment, is_forward);
@@ -256,10 +255,9 @@ bool ContactStep::rest_in_corner() {
 
 /// Leaves a thin proxy's edge at a convex vertex if the handle, pulling past its end, does not
 /// press on the next edge. Returns false, and does nothing, if there is more to it.
-bool ContactStep::lift_off() {
+bool ContactStep::lift_off(const Course& course) {
     const Contact& at = first();
     const Edge edge = outlines_.edge(at.segment);
-    const Course course = course_on(edge);
     const bool is_forward = course.is_forward;
     if (!course.is_past_end() || !outlines_.is_open(at.segment, is_forward)) return false;
     const SegmentRef next = outlines_.next(at.segment, is_forward);
@@ -363,24 +361,19 @@ ContactStep::Sweep ContactStep::sweep_tree(Position to, double radius_m, const E
     return result;
 }
 
-/// Only the neighbours along the outline are within reach: three each way cover the nodes beside
-/// this one at a fractional level, one each way at a whole level.
+/// Only the neighbours along the outline are within reach: those in the nodes beside this one.
 ContactStep::Sweep ContactStep::sweep_neighbours(Position to, double radius_m,
                                                  const Excluded& excluded) {
     Sweep result;
-    for (const SegmentRef& start : excluded) {
-        for (const bool is_forward : {true, false}) {
-            SegmentRef at = start;
-            const int reached = outlines_.is_fractional() ? 3 : 1;
-            for (int i = 0; i < reached && at.piece >= 0; ++i) {
-                at = outlines_.next(at, is_forward);
-                if (at.piece < 0 || at == excluded[0] || at == excluded[1]) continue;
-                const auto found = touch(proxy_.centre, to, radius_m, outlines_.segment(at));
-                if (!found || found->fraction >= result.share) continue;
-                result = {found->fraction, false, 0.0, contact_of(at, *found)};
-            }
-        }
-    }
+    const int reached = outlines_.is_fractional() ? halves_beside : 1;
+    const auto next = [&](SegmentRef at, bool is_forward) {
+        return outlines_.next(at, is_forward);
+    };
+    visit_beside(excluded, reached, next, [&](SegmentRef at) {
+        const auto found = touch(proxy_.centre, to, radius_m, outlines_.segment(at));
+        if (!found || found->fraction >= result.share) return;
+        result = {found->fraction, false, 0.0, contact_of(at, *found)};
+    });
     return result;
 }
 

@@ -87,11 +87,11 @@ class ContactStep {
     [[nodiscard]] InLine go_in_line(double way_m);
     [[nodiscard]] bool is_thin(const Contact& at) const;
     [[nodiscard]] bool is_late() const;
-    [[nodiscard]] Course course_on(const Edge& edge);
-    bool rest_on_edge();
-    bool stride();
-    bool rest_in_corner();
-    bool lift_off();
+    [[nodiscard]] Course course_on_edge();
+    bool rest_on_edge(const Course& course);
+    bool stride(const Course& course);
+    bool rest_in_corner(const Course& course);
+    bool lift_off(const Course& course);
     [[nodiscard]] Passage passage_after(int index, int step);
 
     Next let_go();

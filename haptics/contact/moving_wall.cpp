@@ -27,18 +27,21 @@ MovingWall::MovingWall(const RenderedOutlines& outlines, double to, double radiu
 
 /// How far the motion takes the proxy, by itself and by the slide along an edge to the handle's
 /// foot that follows it.
-double MovingWall::way_m(const ProxyState& from, const ProxyState& to, Position handle) const {
+double MovingWall::way_m(const ProxyState& from, const ProxyState& to) const {
     const double carried_m = norm(to.centre - from.centre);
     const auto foot_of = [&](const ProxyState& at) {
         if (at.state != ContactState::edge) return at.centre;
         const Direction n = at.contacts[0].normal;
-        return handle + along<Position>(n, dot(at.centre - handle, n));
+        return handle_ + along<Position>(n, dot(at.centre - handle_, n));
     };
     return std::max(carried_m, norm(foot_of(to) - foot_of(from)));
 }
 
-std::optional<Carried> MovingWall::carry(const ProxyState& proxy, Position handle) {
-    std::optional<ProxyState> found;
+std::optional<Carried> MovingWall::carry(const ProxyState& proxy, Position handle,
+                                         const WallAllowance& allowance) {
+    handle_ = handle;
+    allowance_ = allowance;
+    std::optional<Carried> found;
     if (proxy.contact_count == 0) {
         found = carry_free(proxy);
     } else if (proxy.contact_count == 2) {
@@ -46,19 +49,37 @@ std::optional<Carried> MovingWall::carry(const ProxyState& proxy, Position handl
     } else {
         found = proxy.contacts[0].is_round ? carry_round(proxy) : carry_edge(proxy);
     }
-    if (!found) return {};
-    found->spare_m = 0.0;
-    return Carried{*found, way_m(proxy, *found, handle)};
+    if (found) found->proxy.spare_m = 0.0;
+    return found;
 }
 
-std::optional<ProxyState> MovingWall::carry_free(const ProxyState& proxy) {
+/// What it does to the hand that the wall takes the proxy along.
+Carried MovingWall::effect(const ProxyState& from, const ProxyState& to) const {
+    const Position before = handle_ - from.centre;
+    const Position after = handle_ - to.centre;
+    const double push_N = allowance_.stiffness_N_per_m * way_m(from, to);
+    const double work_J =
+        0.5 * allowance_.stiffness_N_per_m * (dot(after, after) - dot(before, before));
+    const bool is_allowed = push_N <= allowance_.push_N && work_J <= allowance_.work_J;
+    return {to, push_N, work_J, is_allowed};
+}
+
+/// Whether the way is free is asked only if the place is allowed.
+std::optional<Carried> MovingWall::reached(const ProxyState& from, const ProxyState& to,
+                                           const Edges& own) {
+    const Carried found = effect(from, to);
+    if (found.is_allowed && !is_way_free(from.centre, to.centre, own)) return {};
+    return found;
+}
+
+std::optional<Carried> MovingWall::carry_free(const ProxyState& proxy) {
     const WallHit hit = first_wall(proxy.centre, {});
     if (is_cut_) return {};
-    return hit.is_hit ? pushed(proxy, hit) : std::optional(proxy);
+    return hit.is_hit ? pushed(proxy, hit) : Carried{proxy};
 }
 
 /// A wall that reaches a free proxy takes it along, on the side where it lay.
-std::optional<ProxyState> MovingWall::pushed(const ProxyState& proxy, const WallHit& hit) {
+std::optional<Carried> MovingWall::pushed(const ProxyState& proxy, const WallHit& hit) {
     Contact at;
     at.segment = hit.segment;
     at.parameter = hit.parameter;
@@ -76,10 +97,10 @@ std::optional<ProxyState> MovingWall::pushed(const ProxyState& proxy, const Wall
     // First the proxy goes ahead of the wall, which is not there yet; then the wall follows.
     const bool is_ok =
         is_free(before_, proxy.centre, next.centre, {}) && !is_swept(next.centre, halves);
-    return is_ok ? std::optional(next) : std::nullopt;
+    return is_ok ? std::optional(effect(proxy, next)) : std::nullopt;
 }
 
-std::optional<ProxyState> MovingWall::carry_edge(const ProxyState& proxy) {
+std::optional<Carried> MovingWall::carry_edge(const ProxyState& proxy) {
     const Contact half = halved(proxy.contacts[0]);
     Contact at = joined(half);
     const Segment s = after_.segment(at.segment);
@@ -87,15 +108,13 @@ std::optional<ProxyState> MovingWall::carry_edge(const ProxyState& proxy) {
     ProxyState next = proxy;
     next.contacts[0] = at;
     next.centre = centre_of(s, at);
-    const bool is_ok = is_way_free(proxy.centre, next.centre, {proxy.contacts[0].segment},
-                                   {half.segment}, {at.segment});
-    return is_ok ? std::optional(next) : std::nullopt;
+    return reached(proxy, next, {{proxy.contacts[0].segment}, {half.segment}, {at.segment}});
 }
 
 /// Round a vertex the normal stays as it is while it lies in the arc between the edges' normals;
 /// else the edge under the proxy carries it. An edge is left out of the tests only if the new place
 /// lies on its right side by construction.
-std::optional<ProxyState> MovingWall::carry_round(const ProxyState& proxy) {
+std::optional<Carried> MovingWall::carry_round(const ProxyState& proxy) {
     const Contact& old = proxy.contacts[0];
     const Contact half = halved(old);
     const bool at_end = half.parameter > 0.5;
@@ -116,9 +135,9 @@ std::optional<ProxyState> MovingWall::carry_round(const ProxyState& proxy) {
         half_beside =
             halved({beside, at_end ? 0.0 : 1.0, old.side, old.normal, old.offset_m, false}).segment;
     }
-    const bool is_ok = is_way_free(proxy.centre, next.centre, {old.segment, beside},
-                                   {half.segment, half_beside}, {at.segment, joint.beside});
-    return is_ok ? std::optional(next) : std::nullopt;
+    return reached(
+        proxy, next,
+        {{old.segment, beside}, {half.segment, half_beside}, {at.segment, joint.beside}});
 }
 
 /// The two edges at a contact's end after the motion.
@@ -143,7 +162,7 @@ bool MovingWall::Joint::holds(Direction normal) const {
 /// Held by two edges: goes to where the lines at the proxy's distance from both cross after the
 /// motion, on the same sides. If that place lies on neither edge any more, one of them carries the
 /// proxy on.
-std::optional<ProxyState> MovingWall::carry_corner(const ProxyState& proxy) {
+std::optional<Carried> MovingWall::carry_corner(const ProxyState& proxy) {
     const bool is_edges = !proxy.contacts[0].is_round && !proxy.contacts[1].is_round;
     if (is_edges) {
         const auto corner = carry_between(proxy);
@@ -159,11 +178,9 @@ std::optional<ProxyState> MovingWall::carry_corner(const ProxyState& proxy) {
     return carry_edge(single);
 }
 
-std::optional<ProxyState> MovingWall::carry_between(const ProxyState& proxy) {
+std::optional<Carried> MovingWall::carry_between(const ProxyState& proxy) {
     ProxyState next = proxy;
-    Excluded before;
-    Excluded halves;
-    Excluded after;
+    Edges own;
     std::array<Segment, 2> s;
     for (std::size_t i = 0; i < 2; ++i) {
         const Contact half = halved(proxy.contacts[i]);
@@ -171,9 +188,9 @@ std::optional<ProxyState> MovingWall::carry_between(const ProxyState& proxy) {
         at = joined(half);
         s[i] = after_.segment(at.segment);
         at.normal = normal_of(s[i], at.side);
-        before[i] = proxy.contacts[i].segment;
-        halves[i] = half.segment;
-        after[i] = at.segment;
+        own.before[i] = proxy.contacts[i].segment;
+        own.halves[i] = half.segment;
+        own.after[i] = at.segment;
     }
     Contact& a = next.contacts[0];
     Contact& b = next.contacts[1];
@@ -190,16 +207,35 @@ std::optional<ProxyState> MovingWall::carry_between(const ProxyState& proxy) {
         if (!(on_segment.distance_m <= contact_skin_m)) return {};
         at.parameter = on_segment.parameter;
     }
-    if (!is_way_free(proxy.centre, next.centre, before, halves, after)) return {};
-    return next;
+    return reached(proxy, next, own);
 }
 
 /// Either the proxy goes first and the walls follow, or the other way round: both must bring it to
 /// the same side of everything. Its own edges stay beside it all the way.
-bool MovingWall::is_way_free(Position from, Position to, const Excluded& before,
-                             const Excluded& halves, const Excluded& after) {
-    if (is_free(before_, from, to, before) && !is_swept(to, halves)) return true;
-    return !is_swept(from, halves) && is_free(after_, from, to, after);
+bool MovingWall::is_way_free(Position from, Position to, const Edges& own) {
+    if (is_alone(own.halves)) return is_way_free_alone(from, to, own);
+    if (is_free(before_, from, to, own.before) && !is_swept(to, own.halves)) return true;
+    return !is_swept(from, own.halves) && is_free(after_, from, to, own.after);
+}
+
+/// The same where only the neighbours along the outline come near.
+bool MovingWall::is_way_free_alone(Position from, Position to, const Edges& own) {
+    if (is_free_alone(before_, from, to, own.before) && !is_swept_alone(to, own.halves))
+        return true;
+    return !is_swept_alone(from, own.halves) && is_free_alone(after_, from, to, own.after);
+}
+
+/// Whether the nodes that hold the edges at every level of the octave are alone. The proxy stays
+/// within its radius of their boxes all the way, since both its places do.
+bool MovingWall::is_alone(const Excluded& halves) const {
+    const Scene& scene = before_.scene();
+    for (const SegmentRef& half : halves) {
+        if (half.piece < 0) continue;
+        const NodeRange nodes = CollisionTree::nodes(scene.curves, half.piece, change_.finer + 0.5);
+        const int node = nodes.is_blend ? half.index / 2 : half.index;
+        if (!scene.tree.is_alone(nodes.first + static_cast<std::size_t>(node))) return false;
+    }
+    return true;
 }
 
 bool MovingWall::is_free(RenderedOutlines& at, Position from, Position to,
@@ -214,6 +250,36 @@ bool MovingWall::is_free(RenderedOutlines& at, Position from, Position to,
 bool MovingWall::is_swept(Position p, const Excluded& halves) {
     const WallHit hit = first_wall(p, halves);
     return is_cut_ || hit.is_hit;
+}
+
+bool MovingWall::is_free_alone(RenderedOutlines& at, Position from, Position to,
+                               const Excluded& excluded) {
+    bool is_met = false;
+    const auto next = [&](SegmentRef ref, bool is_forward) { return at.next(ref, is_forward); };
+    visit_beside(excluded, halves_beside, next, [&](SegmentRef ref) {
+        is_met = is_met || touch(from, to, contact_skin_m, at.segment(ref)).has_value();
+    });
+    return !is_met;
+}
+
+bool MovingWall::is_swept_alone(Position p, const Excluded& halves) const {
+    const CurveSet& curves = before_.scene().curves;
+    int piece = -1;  // whose these are:
+    RenderedPiece from;
+    RenderedPiece to;
+    bool is_met = false;
+    const auto next = [&](SegmentRef ref, bool is_forward) {
+        return is_forward ? curves.next(ref, change_.finer) : curves.previous(ref, change_.finer);
+    };
+    visit_beside(halves, halves_beside, next, [&](SegmentRef ref) {
+        if (ref.piece != piece) {
+            piece = ref.piece;
+            from = curves.blend(piece, change_.finer, change_.from);
+            to = curves.blend(piece, change_.finer, change_.to);
+        }
+        is_met = is_met || meeting(p, from.segment(ref.index), to.segment(ref.index)).has_value();
+    });
+    return is_met;
 }
 
 WallHit MovingWall::first_wall(Position p, const Excluded& halves) {

@@ -4,6 +4,7 @@
 
 #include "haptics/collision/scene.h"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -33,6 +34,25 @@ inline constexpr double largest_octaves = 0.5;  // of a change of level under th
 [[nodiscard]] inline double within_octave(double from, double level) {
     return level > from ? std::min(level, std::floor(from) + 1.0)
                         : std::max(level, std::ceil(from) - 1.0);
+}
+
+/// Beside a node at a level that is blended lie two nodes of two segments each.
+inline constexpr int halves_beside = 3;
+
+/// Calls visit(segment) for each segment within `reached` of the given ones along the outline, by
+/// next(segment, is_forward), without these themselves; for some twice.
+template <class Next, class Visit>
+void visit_beside(const std::array<SegmentRef, 2>& own, int reached, const Next& next,
+                  const Visit& visit) {
+    for (const SegmentRef& start : own) {
+        for (const bool is_forward : {true, false}) {
+            SegmentRef at = start;
+            for (int i = 0; i < reached && at.piece >= 0; ++i) {
+                at = next(at, is_forward);
+                if (at.piece >= 0 && at != own[0] && at != own[1]) visit(at);
+            }
+        }
+    }
 }
 
 class RenderedOutlines {

@@ -26,7 +26,8 @@ struct MotionLeft {
 
 /// The room of an edge's end beyond `reach` along a fixed direction. The end turns about the pivot,
 /// so it speeds up towards it: by what points along the direction now, and what turns into it.
-Falling falling(Position end, double reach, Direction n, const MotionLeft& motion) {
+[[gnu::always_inline]] inline Falling falling(Position end, double reach, Direction n,
+                                              const MotionLeft& motion) {
     const double turn = motion.move.turn_rad;
     const Position arm = end - motion.pivot;
     const double size = norm(arm);
@@ -36,7 +37,7 @@ Falling falling(Position end, double reach, Direction n, const MotionLeft& motio
 }
 
 /// Returns the first moment at which the room falls to 0; infinity if it never does.
-double exhausted(const Falling& f) {
+[[gnu::always_inline]] inline double exhausted(const Falling& f) {
     if (f.room <= 0.0 && f.rate <= 0.0) return f.rate < 0.0 || f.bend > 0.0 ? 0.0 : never;
     const double root = std::sqrt(f.rate * f.rate + 2.0 * f.bend * f.room);
     if (f.rate < 0.0) return 2.0 * f.room / (root - f.rate);
@@ -45,14 +46,15 @@ double exhausted(const Falling& f) {
 
 /// Returns whether exhausted() is `share` or later: a falling parabola is above its ends in
 /// between.
-bool lasts(const Falling& f, double share) {
+[[gnu::always_inline]] inline bool lasts(const Falling& f, double share) {
     return f.room + share * (f.rate - 0.5 * f.bend * share) >= 0.0;
 }
 
 /// Returns the share over which the ends of the edge are not too near along a fixed direction;
 /// infinity if that is all that is left. Most pairs are settled so, without a root.
-double free_beside_line(const Segment& edge, const Segment& line, Direction n,
-                        const MotionLeft& motion, double keep_m) {
+[[gnu::always_inline]] inline double free_beside_line(const Segment& edge, const Segment& line,
+                                                      Direction n, const MotionLeft& motion,
+                                                      double keep_m) {
     const double reach = std::max(dot(n, line.a), dot(n, line.b)) + keep_m;
     const Falling a = falling(edge.a, reach, n, motion);
     const Falling b = falling(edge.b, reach, n, motion);
@@ -61,8 +63,9 @@ double free_beside_line(const Segment& edge, const Segment& line, Direction n,
 }
 
 /// Goes until the ends of the line are too near along a direction that turns with the edge.
-double free_beside_edge(const Segment& edge, const Segment& line, Direction n,
-                        const MotionLeft& motion, double keep_m) {
+[[gnu::always_inline]] inline double free_beside_edge(const Segment& edge, const Segment& line,
+                                                      Direction n, const MotionLeft& motion,
+                                                      double keep_m) {
     const double reach = std::min(dot(n, edge.a), dot(n, edge.b)) - keep_m;
     const Position by = motion.move.by;
     const double turn = motion.move.turn_rad;

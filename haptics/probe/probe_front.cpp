@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t most_pairs = 4096;
 constexpr std::size_t most_near = 512;
-constexpr std::size_t block = 32;
-constexpr double margin_m = 2e-3;     // of the way, before a front is made anew
+constexpr std::size_t block = 16;
+constexpr double margin_m = 4e-3;     // of the way, before a front is made anew
 constexpr double straight_m = 1e-10;  // a node no thicker counts as the line that it holds
 constexpr double now = -std::numeric_limits<double>::infinity();
 constexpr std::int32_t rendered = -1;  // as a node's level
@@ -107,11 +107,25 @@ void ProbeFront::look(const Look& look) {
     }
 }
 
+/// Leaves a pair that stays apart until its allowance is used up. Returns false if it is so far off
+/// that it is dropped.
+inline bool ProbeFront::put_off(std::size_t i, double gap_m) {
+    due_m_[i] = way_m_ + gap_m;
+    const bool is_far = due_m_[i] > far_m_;
+    if (is_far) drop(i);
+    return !is_far;
+}
+
 void ProbeFront::look_at_block(std::size_t first, const Look& look) {
     const double limit = way_m_ + look.reach_m;
     const auto end = [&] { return std::min(first + block, due_m_.size()); };
     for (std::size_t i = first; i < end();) {
-        if (due_m_[i] > limit || examine(i, look)) ++i;
+        if (due_m_[i] > limit) {
+            ++i;
+            continue;
+        }
+        const double gap_m = sights_[i].gap_m(look);
+        if (sights_[i].leaves_room(gap_m, look) ? put_off(i, gap_m) : examine(i, look)) ++i;
     }
     block_due_m_[first / block] = least_of(std::span(due_m_).subspan(first, end() - first));
 }
@@ -145,22 +159,13 @@ void ProbeFront::see(std::size_t i, const ProbePlacement& shape) {
 }
 
 bool ProbeFront::examine(std::size_t i, const Look& look) {
-    Sight& sight = sights_[i];
-    double gap_m = sight.gap_m(look);
-    bool is_past = sight.leaves_room(gap_m, look);
+    const Sight& sight = sights_[i];
     const Pair& pair = pairs_[i];
-    if (!is_past) {
-        const bool is_new = pair.seen != moves_;
-        if (is_new) see(i, look.shape);
-        gap_m = pair.ends.geometry.at.distance_m - (sight.thick_m + look.keep_m);
-        is_past = is_new && sight.leaves_room(gap_m, look);
-    }
+    const bool is_new = pair.seen != moves_;
+    if (is_new) see(i, look.shape);
+    const double gap_m = pair.ends.geometry.at.distance_m - (sight.thick_m + look.keep_m);
+    if (is_new && sight.leaves_room(gap_m, look)) return put_off(i, gap_m);
     due_m_[i] = way_m_ + gap_m;
-    if (is_past) {
-        const bool is_far = due_m_[i] > far_m_;
-        if (is_far) drop(i);
-        return !is_far;
-    }
     const ProbeNode& probe = shape_->nodes()[static_cast<std::size_t>(pair.probe)];
     if (pair.is_end && probe.edge >= 0) {
         if (near_.size() < most_near) {

@@ -154,7 +154,8 @@ class ProbeFront {
     void add(const Pair& pair, Direction normal);
     void put(std::size_t i, const Pair& pair, Direction normal);
     void see(std::size_t i, const ProbePlacement& shape);
-    /// Returns whether pair i is done; if not, its place holds another pair or none.
+    /// This and the next return whether pair i is done; if not, its place holds another or none.
+    bool put_off(std::size_t i, double gap_m);
     bool examine(std::size_t i, const Look& look);
     bool split(std::size_t i, bool is_scene);
     void drop(std::size_t i);
@@ -167,7 +168,7 @@ class ProbeFront {
     RenderedOutlines outlines_;
     FrontEnd end_ = FrontEnd::segments;
     std::vector<double> due_m_;        // the way at which a pair may matter
-    std::vector<double> block_due_m_;  // the least of 32 neighbours, or less: most are skipped
+    std::vector<double> block_due_m_;  // the least of 16 neighbours, or less: most are skipped
     std::vector<Sight> sights_;
     std::vector<Pair> pairs_;
     std::vector<std::uint32_t> near_;  // pairs

@@ -11,7 +11,7 @@ namespace {
 constexpr double least_lever_m = 5e-3;
 constexpr double first_look_m = 3e-5;  // along a move
 constexpr int most_moves = 16;         // in a step
-constexpr int most_long_moves = 10;
+constexpr int most_long_moves = 8;
 constexpr std::size_t little_swept = 48;  // pairs in a step that may take all its moves
 constexpr std::size_t most_swept = 1024;  // pairs in a step; the rest is carried
 

@@ -12,8 +12,9 @@ constexpr int most_candidates = 8;
 constexpr int most_rounds = 16;
 
 /// Finds pushes on k <= 3 rows so that each is just kept. Returns false if rows say the same.
-bool solve(const std::array<const Constraint*, most_active>& rows, int k, const Coupled& wanted,
-           std::array<double, most_active>& push) {
+[[gnu::always_inline]] inline bool solve(const std::array<const Constraint*, most_active>& rows,
+                                         int k, const Coupled& wanted,
+                                         std::array<double, most_active>& push) {
     std::array<double, 3> lack{};
     std::array<std::array<double, 3>, 3> g{};
     for (std::size_t i = 0; i < static_cast<std::size_t>(k); ++i) {
@@ -49,7 +50,8 @@ bool solve(const std::array<const Constraint*, most_active>& rows, int k, const 
 
 /// Finds the move that the active constraints just allow, and their pushes. Returns false if one of
 /// them pulls.
-bool push(std::span<const Constraint> constraints, const Coupled& wanted, LeastMove& held) {
+[[gnu::always_inline]] inline bool push(std::span<const Constraint> constraints,
+                                        const Coupled& wanted, LeastMove& held) {
     const auto k = static_cast<std::size_t>(held.active_count);
     std::array<const Constraint*, most_active> rows{};
     for (std::size_t i = 0; i < k; ++i) {
@@ -67,7 +69,8 @@ bool push(std::span<const Constraint> constraints, const Coupled& wanted, LeastM
 }
 
 /// Returns whether the active constraints still hold the move back; if not, `held` says nothing.
-bool is_still(std::span<const Constraint> constraints, const Coupled& wanted, LeastMove& held) {
+[[gnu::always_inline]] inline bool is_still(std::span<const Constraint> constraints,
+                                            const Coupled& wanted, LeastMove& held) {
     if (held.active_count == 0 || !push(constraints, wanted, held)) return false;
     return std::all_of(constraints.begin(), constraints.end(), [&held](const Constraint& c) {
         return dot3(c.row, held.move) + c.gap_m >= -tolerance_m;

@@ -39,6 +39,7 @@ std::uint32_t mark_of(std::uint64_t burst) {
 
 void OdrivePair::set_up() {
     verdict_.set_up();
+    clears_errors_ = true;
     go(Stage::quiet);
 }
 
@@ -156,16 +157,20 @@ void OdrivePair::read_back(const Burst& burst) {
     go(Stage::close_loop);
 }
 
-// Arming clears errors, so one that came since the pair was ready must be told.
+// Arming clears errors, so one that came since the pair was ready must be told; and it clears
+// nothing where there was nothing, lest it be an error that came since.
 void OdrivePair::look(const Burst& burst) {
+    bool has_error = false;
     for (std::size_t i = 0; i < burst.count; ++i) {
         const Question& q = burst.questions[i];
-        const bool is_error =
-            q.asked == Asked::error && q.answer != 0.0 && q.answer != watchdog_expired;
-        if (is_error && !verdict_.may_clear())
+        if (q.asked != Asked::error || q.answer == 0.0) continue;
+        has_error = true;
+        if (q.answer != watchdog_expired && !verdict_.may_clear())
             return refuse(MotorTrouble::Kind::fault, q.axis, q.answer);
     }
-    if (stage_ == Stage::look) go(Stage::arm);
+    if (stage_ != Stage::look) return;
+    clears_errors_ = has_error;
+    go(Stage::arm);
 }
 
 // Tells the first of two faults.
@@ -215,7 +220,7 @@ void OdrivePair::put_arming(OdriveText& text, Burst& burst) const {
     text.set_mark(mark_of(burst.number));
     ask(text, burst, Asked::error);
     ask_mark(text, burst);
-    text.clear_errors();
+    if (clears_errors_) text.clear_errors();
 }
 
 void OdrivePair::ask(OdriveText& text, Burst& burst, Asked asked) {

@@ -109,6 +109,7 @@ class OdrivePair final : public MotorPair {
     std::size_t first_open_ = 0;
     std::size_t open_count_ = 0;
     bool are_absolute_ = false;
+    bool clears_errors_ = true;  // in arming
 };
 
 }  // namespace touchline

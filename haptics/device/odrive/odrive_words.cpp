@@ -56,7 +56,9 @@ std::string OdrivePair::words_of(const MotorTrouble& trouble) const {
                    "is given: set its controller.config.control_mode and input_mode to 1 and save";
         case Kind::too_old:
         case Kind::not_let_go:
-            return who + " lacks what force needs: renew its firmware";
+            return who +
+                   " lacks what force needs: renew its firmware; newer boards with one axis each "
+                   "(Pro, S1) are not driven";
         default:
             return who +
                    " does not answer: check its power supply and the port, and that no "

@@ -69,6 +69,7 @@ class HouseCommand : public testing::Test {
         EXPECT_EQ(key.status, 0) << key.err;
         const Told bundle = type({"bundle", "make", "-o", bundle_});
         EXPECT_EQ(bundle.status, 0) << bundle.err;
+        EXPECT_EQ(bundle.out, bundle_ + ": 1 kB\n") << "begun, not 0";
         be("other");
         const std::string mark = "the key of this house: ";
         EXPECT_TRUE(key.out.starts_with(mark)) << key.out;

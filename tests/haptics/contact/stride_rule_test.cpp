@@ -29,15 +29,12 @@ Scene scene_of_nodes(bool is_crossed) {
 struct Seen {
     double ahead_m;
     double depth_m;
-    double slack_m;  // for it to be clear; `wide` adds twice what single precision may lose
+    double slack_m;  // for it to be clear
 };
 
-Seen seen(Segment edge, double side, Position handle, bool is_wide) {
+Seen seen(Segment edge, double side, Position handle, double rounding_m) {
     const Position to = handle - edge.a;
-    const Position e = edge.b - edge.a;
-    const Direction along = direction_of(e);
-    const double rounding_m =
-        is_wide ? 2e-6 * (std::abs(to.x) + std::abs(to.y) + std::abs(e.x) + std::abs(e.y)) : 0.0;
+    const Direction along = direction_of(edge.b - edge.a);
     return {dot(along, to), -side * cross(along, to),
             (5.0 * contact_skin_m + rounding_m) * (std::abs(along.x) + std::abs(along.y))};
 }
@@ -50,20 +47,21 @@ int passed_by_rule(const EdgeRow& row, const CollisionTree& tree, int index, boo
     const int first = is_forward ? index : count - 2 - index;
     if (first < 0 || first + 1 >= count) return 0;
     const double side = is_forward ? sign_of(pull.side) : -sign_of(pull.side);
+    const Position away = pull.handle - way[static_cast<std::size_t>(first)];
+    // Twice what single precision may lose.
+    const double rounding_m = is_wide ? 2e-6 * (std::abs(away.x) + std::abs(away.y)) : 0.0;
     int passed = 0;
     for (int i = first; passed < most && i + 2 < count; ++i, ++passed) {
         const auto at = way.begin() + i;
-        const Direction before = direction_of(at[1] - at[0]);
-        const Direction after = direction_of(at[2] - at[1]);
-        const Seen here = seen({at[0], at[1]}, side, pull.handle, is_wide);
-        const Seen there = seen({at[1], at[2]}, side, pull.handle, is_wide);
+        const Seen here = seen({at[0], at[1]}, side, pull.handle, rounding_m);
+        const Seen there = seen({at[1], at[2]}, side, pull.handle, rounding_m);
         const double beyond_m = here.ahead_m - norm(at[1] - at[0]);
         const bool is_beyond =
             here.depth_m >= here.slack_m && beyond_m > pull.friction * here.depth_m + here.slack_m;
         const bool is_pulled_on = there.depth_m >= there.slack_m &&
                                   there.ahead_m > pull.friction * there.depth_m + there.slack_m;
         const int edge = is_forward ? i + 1 : count - 3 - i;
-        const bool is_clear = dot(before, after) > 0.1 && norm(at[2] - at[1]) > 1e-9 &&
+        const bool is_clear = norm(at[2] - at[1]) > 1e-9 &&
                               tree.is_alone(row.first_node + static_cast<std::size_t>(edge));
         if (!is_beyond || !is_pulled_on || !is_clear) break;
     }

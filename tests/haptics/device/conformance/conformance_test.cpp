@@ -1,5 +1,6 @@
 // What every device promises the servo, whatever its protocol: order, units, signs, limits, zero,
 // loss and reconnection. Written once and run for each row of rigs.cpp.
+#include "config/types/choices.h"
 #include "haptics/device/joint_device.h"
 #include "haptics/safety/guards.h"
 #include "haptics/servo/handle_motion.h"
@@ -8,11 +9,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <ostream>
+#include <string>
+#include <string_view>
 
 #include <gtest/gtest.h>
 
@@ -383,6 +387,22 @@ TEST_P(Conformance, TheSameCallsGiveTheSameBits) {
         end = rig().true_p_D();
     }
     EXPECT_EQ(ends[0], ends[1]);
+}
+
+/// As "UsbBoard" and "usb-board" are.
+bool are_alike(std::string_view name, std::string_view make) {
+    std::string letters(make);
+    std::erase(letters, '-');
+    return std::ranges::equal(name, letters, [](unsigned char a, unsigned char b) {
+        return std::tolower(a) == std::tolower(b);
+    });
+}
+
+TEST(RigRows, ThereIsOneForEachMakeThatASettingNames) {
+    for (const std::string_view make : device_makes)
+        EXPECT_TRUE(std::ranges::any_of(rig_rows(), [make](const RigRow& row) {
+            return are_alike(row.name, make);
+        })) << make;
 }
 
 INSTANTIATE_TEST_SUITE_P(Devices, Conformance,

@@ -36,6 +36,25 @@ TEST(OdrivePair, AnAxisThatWasNeverCalibratedGetsNoTorque) {
     expect_refused<OdriveMachine>(axes, "axis 0 (motor 1) does not know its encoder yet");
 }
 
+// Arming clears what it finds, so it clears nothing where the look found nothing.
+TEST(OdrivePair, AFaultBetweenLookAndArmingIsToldThoughTheArmingsAnswerIsLostToo) {
+    for (const std::size_t motor : {0U, 1U}) {
+        for (int ticks = 0; ticks < 60; ++ticks) {
+            SCOPED_TRACE(testing::Message() << "motor " << motor << " after " << ticks << " ms");
+            OdriveRig rig;
+            ASSERT_TRUE(rig.driver->open().has_value());
+            rig.tick_for(0.05, press);
+            rig.line->spoil(LineFault::lost_reply, 0.006);
+            rig.tick_for(drive_tick_s * ticks, press);
+            rig.machine.fail(motor);
+            rig.tick_for(drive_tick_s, press);
+            rig.line->spoil(LineFault::lost_reply, 0.003);
+            rig.tick_for(1.0, press);  // a set-up whose answers are lost is begun anew after 0.8 s
+            expect_told(rig, motor);
+        }
+    }
+}
+
 TEST(OdrivePair, AFirmwareThatLacksAPropertyGetsNoTorque) {
     auto axes = OdriveMachine::units();
     axes[1].knows_torque_limit = false;
