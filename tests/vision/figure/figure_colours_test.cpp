@@ -43,7 +43,7 @@ const cv::Rect2d square(0.3, 0.3, 0.4, 0.4);  // of the picture
 TEST(FigureColours, ABlotBesideAThingIsDrawnOntoIt) {
     const cv::Mat1f drawn =
         drawn_by_colours(blot(cv::Rect(22, 16, 20, 22)), limit, square_on_ground());
-    EXPECT_EQ(drawn.size(), cv::Size(224, 168));
+    EXPECT_EQ(drawn.size(), cv::Size(400, 300));
     EXPECT_GT(overlap(drawn, square), 0.93);
     EXPECT_TRUE(cv::checkRange(drawn, true, nullptr, 0.0, 1.0 + 1e-6));
 }
@@ -69,8 +69,8 @@ TEST(FigureColours, WhereColoursDisagreeWithTheLikelihoodItStays) {
 TEST(FigureColours, ThingsAndGroundsThatAreSureAreNeverGivenUp) {
     const cv::Mat1f drawn =
         drawn_by_colours(blot(cv::Rect(0, 0, 32, 64), 1.0F, 0.0F), limit, square_on_ground());
-    EXPECT_GT(drawn(84, 20), 0.9F);
-    EXPECT_LT(drawn(84, 200), 0.05F);
+    EXPECT_GT(drawn(150, 36), 0.9F);
+    EXPECT_LT(drawn(150, 357), 0.05F);
 }
 
 TEST(FigureColours, AreTheSameBitsAgain) {
@@ -85,7 +85,7 @@ TEST(FigureColours, AreTheSameBitsAgain) {
 TEST(FigureColours, APictureOfOneRowHasALikelihoodToo) {
     const cv::Mat1f drawn =
         drawn_by_colours(blot(cv::Rect(18, 24, 24, 20)), limit, cv::Mat3b(1, 900));
-    EXPECT_EQ(drawn.size(), cv::Size(224, 1));
+    EXPECT_EQ(drawn.size(), cv::Size(400, 1));
 }
 
 }  // namespace
