@@ -48,6 +48,24 @@ TEST(FigureColours, ABlotBesideAThingIsDrawnOntoIt) {
     EXPECT_TRUE(cv::checkRange(drawn, true, nullptr, 0.0, 1.0 + 1e-6));
 }
 
+/// Teeth of two pixels, as fine as hair, are lost in the coarse cut.
+TEST(FigureColours, ARingIsDrawnAgainFiner) {
+    cv::Mat3b picture(300, 400, cv::Vec3b(60, 140, 80));
+    cv::rectangle(picture, cv::Rect(120, 90, 160, 120), cv::Scalar(30, 60, 120), cv::FILLED);
+    for (int x = 120; x < 280; x += 4)
+        cv::rectangle(picture, cv::Rect(x, 84, 2, 6), cv::Scalar(30, 60, 120), cv::FILLED);
+    const cv::Mat1f drawn =
+        drawn_by_colours(blot(cv::Rect(22, 16, 20, 22)), limit, with_noise(picture, 6.0, 5));
+    int teeth = 0;
+    int gaps = 0;
+    for (int x = 120; x < 280; x += 4) {
+        teeth += drawn(87, x) >= 0.3F || drawn(87, x + 1) >= 0.3F ? 1 : 0;
+        gaps += drawn(87, x + 2) < 0.3F || drawn(87, x + 3) < 0.3F ? 1 : 0;
+    }
+    EXPECT_GT(teeth, 30);
+    EXPECT_GT(gaps, 30);
+}
+
 TEST(FigureColours, TheLimitBecomesThatOfFigures) {
     const cv::Mat3b grey(64, 64, cv::Vec3b(90, 90, 90));
     const cv::Mat1f even = drawn_by_colours(cv::Mat1f(8, 8, limit), limit, grey);
