@@ -166,8 +166,8 @@ std::string untold_hint(const SpokenScreen& screen) {
 void say_item(VisitWork& work, const SpokenText& first) {
     const SpokenScreen screen = screen_of(work);
     if (!screen.focus) return say(work, first);
-    const Language& language =
-        language_of_item(visit_of(work), screen.items[*screen.focus], work.world);
+    const Visit visit = visit_of(work);
+    const Language& language = language_of_item(visit, screen.items[*screen.focus], work.world);
     const SpokenText item = told_item(screen, *screen.focus, language);
     if (first.words.empty() || &language == &language_of(work)) {
         SpokenText text = first;
