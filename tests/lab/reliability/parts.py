@@ -145,6 +145,20 @@ def machines():
     figures.write('machines', rows)
 
 
+def devices():
+    words = {'zero_wanted': 'wanted off', 'answers_stop': 'answers stop', 'line_cut': 'line cut', 'ticks_stop': 'servo stops'}
+    rows = []
+    for case in xml.parse(OUT / 'conformance_test.xml').getroot().iter('testcase'):
+        told = {one.get('name'): int(one.get('value')) for one in case.iter('property')}
+        make, failed = case.get('name').split('/')[1], case.find('failure') is not None
+        for cause in (cause for cause in words if cause in told):
+            us, stated_us = told[cause], told[f'{cause}_stated']
+            rows.append((3, f'zero force after: {words[cause]}, {make}', f'{us / 1000:.1f} ms', f'{stated_us / 1000:.0f} ms',
+                         us <= stated_us and not failed, 'tests/lab/reliability/run devices: test '
+                         'Conformance.ForceEndsInTheTimeThatItStatesWheneverThatIsWanted, the longest of ten moments, emulator, virtual clock'))
+    figures.write('devices', rows)
+
+
 def stages():
     told = (OUT / 'stages.log').read_text()
     start = re.search(r"worker's start, to a refusal: ([\d.]+) \(([\d.]+)\)", told)
@@ -194,7 +208,7 @@ def exclusions():
 
 
 PARTS = {'coverage': coverage, 'hazards': hazard_rows, 'instructions': instructions, 'workers': workers,
-         'stages': stages, 'machines': machines, 'sanitizers': sanitizers, 'exclusions': exclusions}
+         'stages': stages, 'machines': machines, 'devices': devices, 'sanitizers': sanitizers, 'exclusions': exclusions}
 if sys.argv[1] == 'pattern':
     # For ctest, whose expressions have no \w.
     print('^([A-Za-z0-9_]+/)?(' + '|'.join(re.escape(name) for name in hazards.names()) + ')(/|$)')

@@ -11,6 +11,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -62,6 +63,10 @@ class Conformance : public testing::TestWithParam<RigRow> {
     /// One tick of the servo: zero where nothing is known.
     std::optional<DeviceReading> tick(Force wanted_D = {}) {
         rig_->pass(tick_s);
+        return read_and_write(wanted_D);
+    }
+
+    std::optional<DeviceReading> read_and_write(Force wanted_D) {
         const auto told = rig_->device().read(rig_->now_s());
         const bool is_placed = told && told->p_D;
         is_taken_ = rig_->device().write(is_placed ? command_of(wanted_D, *told) : DeviceCommand{});
@@ -89,6 +94,40 @@ class Conformance : public testing::TestWithParam<RigRow> {
             EXPECT_FALSE(is_taken_ && promises().has_motors) << "it says zero before it is";
         }
         return std::numeric_limits<double>::infinity();
+    }
+
+    /// Why a force ends. no_ticks: the servo does none any more, and the line stays.
+    enum class End : std::uint8_t { zero_wanted, cut, silent, no_ticks };
+
+    /// Pushes, lets that happen in this tenth of a tick, and returns the time until the device
+    /// holds zero, to a tenth of a tick.
+    [[nodiscard]] double end_of_force_s(End end, int tenth) {
+        rig_ = GetParam().make();
+        open();
+        settle();
+        (void)tick_for(0.05, right);
+        EXPECT_FALSE(rig_->holds_zero());
+        for (int i = 0; i < tenth; ++i) rig_->pass(0.1 * tick_s);
+        if (end == End::cut) rig_->cut();
+        if (end == End::silent) rig_->fall_silent();
+        const double from_s = rig_->now_s();
+        for (int i = tenth + 1; !rig_->holds_zero() && i < 10'000; ++i) {
+            rig_->pass(0.1 * tick_s);
+            if (i % 10 != 0 || end == End::no_ticks) continue;
+            (void)read_and_write(end == End::zero_wanted ? Force{} : right);
+        }
+        return rig_->now_s() - from_s;
+    }
+
+    /// The longest of ten moments within a tick is no longer than stated. Both are told in
+    /// microseconds for the reliability table.
+    void expect_end_of_force(const std::string& cause, End end, double stated_s) {
+        double longest_s = 0.0;
+        for (int tenth = 0; tenth < 10; ++tenth)
+            longest_s = std::max(longest_s, end_of_force_s(end, tenth));
+        EXPECT_LE(longest_s, stated_s + 1e-9) << cause;
+        RecordProperty(cause, static_cast<int>(std::lround(1e6 * longest_s)));
+        RecordProperty(cause + "_stated", static_cast<int>(std::lround(1e6 * stated_s)));
     }
 
     /// What the servo concludes of a hand that is led through the area.
@@ -356,6 +395,14 @@ TEST_P(Conformance, SilenceIsTheLossOfItAndEndsTheForce) {
         EXPECT_FALSE(rig().device().write(push())) << i;
         ASSERT_TRUE(rig().holds_zero()) << i;
     }
+}
+
+TEST_P(Conformance, ForceEndsInTheTimeThatItStatesWheneverThatIsWanted) {
+    if (!promises().has_motors) return;
+    expect_end_of_force("zero_wanted", End::zero_wanted, tick_s + promises().zero_s);
+    expect_end_of_force("answers_stop", End::silent, promises().silence_s);
+    if (promises().free_s) expect_end_of_force("line_cut", End::cut, *promises().free_s);
+    if (promises().alone_s) expect_end_of_force("ticks_stop", End::no_ticks, *promises().alone_s);
 }
 
 TEST_P(Conformance, ComesBackAfterALossWithoutForce) {

@@ -82,6 +82,8 @@ struct RigPromises {
     bool has_motors = true;     // false: software, which takes a zero for held once it is told
     std::optional<double>
         free_s;  // from a cut until its motors are free by themselves; nothing: never
+    std::optional<double> alone_s;  // the same from the last tick of a servo that stops, but whose
+                                    // line stays
 };
 
 struct RigRow {

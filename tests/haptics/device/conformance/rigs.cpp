@@ -1,6 +1,7 @@
 #include "tests/haptics/device/conformance/rigs.h"
 
 #include "haptics/device/drives/motor_pair.h"
+#include "haptics/device/inverse3/inverse3_session.h"
 
 #include <array>
 
@@ -21,6 +22,7 @@ RigPromises of_the_inverse3() {
     promises.silence_s = 22e-3;  // the session's, and a frame's way
     promises.needs_opening = false;
     promises.free_s = 0.001;
+    promises.alone_s = longest_arm_silence_s + 2e-3;
     return promises;
 }
 
@@ -42,6 +44,7 @@ RigPromises of_controllers() {
     promises.loss_s = 0.0;
     promises.place_m = 1e-4;
     promises.free_s = watchdog_s + 1e-3;
+    promises.alone_s = promises.free_s;
     return promises;
 }
 
