@@ -37,7 +37,7 @@ def names():
 def ended(name, cases):
     """'passed', 'failed' or '': of all the cases of this test, whatever they are called with."""
     suite, case_name = map(re.escape, name.split('.'))
-    of_name = re.compile(rf'(?:\w+/)?{suite}(?:/\d+)?\.{case_name}(?:/.*)?$')
+    of_name = re.compile(rf'(?:\w+/)?{suite}(?:/\d+)?\.{case_name}(?:[/<].*)?$')
     ends = [end for case, end in cases if of_name.match(case)]
     return '' if not ends else 'failed' if 'failed' in ends else 'passed'
 

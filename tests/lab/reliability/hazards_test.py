@@ -21,6 +21,9 @@ class Judged(unittest.TestCase):
         self.assertEqual(hazards.ended('A.Is', cases), 'failed')
         self.assertEqual(hazards.ended('A.IsNot', cases), 'passed')
         self.assertEqual(hazards.ended('B.Is', cases), '')
+        of_types = [('A.Is<touchline::One>', 'passed'), ('A.Is<touchline::Other>', 'failed')]  # as ctest names them
+        self.assertEqual(hazards.ended('A.Is', of_types), 'failed')
+        self.assertEqual(hazards.ended('A.Is', of_types[:1]), 'passed')
         self.assertEqual(hazards.ended('A.Is', [('A/0.Is', 'passed'), ('A/1.Is', 'failed'), ('A/0.IsNot', 'passed')]), 'failed')
 
     def test_a_row_is_as_good_as_its_worst_evidence(self):

@@ -211,7 +211,7 @@ PARTS = {'coverage': coverage, 'hazards': hazard_rows, 'instructions': instructi
          'stages': stages, 'machines': machines, 'devices': devices, 'sanitizers': sanitizers, 'exclusions': exclusions}
 if sys.argv[1] == 'pattern':
     # For ctest, whose expressions have no \w.
-    print('^([A-Za-z0-9_]+/)?(' + '|'.join(re.escape(name) for name in hazards.names()) + ')(/|$)')
+    print('^([A-Za-z0-9_]+/)?(' + '|'.join(re.escape(name) for name in hazards.names()) + ')(/|<|$)')
 elif sys.argv[1] == 'fuzzing':
     fuzzing(sys.argv[2])
 else:
