@@ -82,6 +82,7 @@ constexpr auto rows_of_devices = std::to_array<LineRow>({
      "Another program uses the device. End that program."},
     {"could not be opened: ", device_trouble, port_trouble},
     {"is no serial port", device_trouble, port_trouble},
+    {"this service may not reach port", device_trouble, port_trouble},
     // The service of a device.
     {"motors have no power", device_trouble, "The device has no power. Plug in its power supply."},
     {"the Inverse3 is not calibrated", device_trouble,

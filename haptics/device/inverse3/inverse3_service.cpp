@@ -135,6 +135,12 @@ Result<void> Inverse3Service::Talk::begin(const std::function<bool()>& goes_on) 
             fmt::format("nobody answers at port {} of this computer: start the Inverse3's service "
                         "(systemctl start haply-inverse-service)",
                         port_));
+    if (failure_ == asio::error::address_family_not_supported ||
+        failure_ == boost::system::errc::operation_not_permitted)
+        return failure(
+            fmt::format("this service may not reach port {} of this computer: copy "
+                        "device-loopback.conf, as the manual says",
+                        port_));
     return failure(
         fmt::format("what answers at port {} of this computer is not the Inverse3's "
                     "service: look at what else uses that port",

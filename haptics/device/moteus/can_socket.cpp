@@ -72,7 +72,10 @@ Result<std::unique_ptr<FrameLink>> open_can_socket(const std::string& interface)
         return refused("a name has 1 to 15 letters: name it as 'ip link' lists it");
     std::ranges::copy(interface, asked.ifr_name);
     const int descriptor = socket(PF_CAN, SOCK_RAW | SOCK_CLOEXEC | SOCK_NONBLOCK, CAN_RAW);
-    if (descriptor < 0) return refused("the system has no CAN sockets: load its module can_raw");
+    if (descriptor < 0)
+        return refused(
+            "there are no CAN sockets for it: load the module can_raw, or copy "
+            "device-can.conf for a kiosk that is a service, as the manual says");
     auto link = std::make_unique<CanSocket>(descriptor);
     if (ioctl(descriptor, SIOCGIFINDEX, &asked) != 0)
         return refused("there is none of that name: name it as 'ip link' lists it");

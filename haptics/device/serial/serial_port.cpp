@@ -21,8 +21,10 @@ std::string why_not_opened(int error) {
         case ENODEV:
             return "nothing is plugged in there: plug the device in, or name another port";
         case EACCES:
-        case EPERM:
-            return "this user may not: add the user to the group dialout";
+            return "this user may not: add the user to the group dialout, or copy "
+                   "device-serial.conf for a kiosk that is a service, as the manual says";
+        case EPERM:  // the service's DeviceAllow
+            return "this service may not: copy device-serial.conf, as the manual says";
         case EBUSY:
             return "another program has it: end that program";
         default:
