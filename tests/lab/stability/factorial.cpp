@@ -33,7 +33,7 @@ Faults faults_of(const std::string& name) {
 
 ShippedLoop loop_of(const FactorialCase& each) {
     ShippedLoop loop;
-    loop.profile = find_profile(each.profile).value();
+    loop.profile = find_device_profile(each.profile).value();
     loop.period_s = each.period_s;
     loop.delay_s = each.delay_periods * each.period_s;
     loop.hand = loop_hand(each.hand);
@@ -120,9 +120,15 @@ const HandModel& loop_hand(const std::string& name) {
     return name == "none" ? soft_press : hand_by_name(name);
 }
 
+std::vector<DeviceProfile> five_bars() {
+    std::vector<DeviceProfile> all(device_profiles().begin(), device_profiles().end());
+    all.push_back(open_five_bar());
+    return all;
+}
+
 std::vector<FactorialCase> factorial(const std::vector<double>& delays) {
     std::vector<FactorialCase> cases;
-    for (const DeviceProfile& profile : device_profiles()) {
+    for (const DeviceProfile& profile : five_bars()) {
         for (const double period_s : {2e-3, 1e-3, 2.5e-4}) {
             for (const double delay : delays) {
                 for (const char* hand : loop_hands) {

@@ -52,6 +52,9 @@ struct FactorialResult {
 /// is the buzz of one encoder step.
 [[nodiscard]] bool shakes(const FactorialResult& result);
 
+/// The kinds that a board drives, and the one with motors of its own controllers.
+[[nodiscard]] std::vector<DeviceProfile> five_bars();
+
 /// `delays` in periods.
 [[nodiscard]] std::vector<FactorialCase> factorial(const std::vector<double>& delays);
 
