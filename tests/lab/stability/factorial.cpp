@@ -120,15 +120,16 @@ const HandModel& loop_hand(const std::string& name) {
     return name == "none" ? soft_press : hand_by_name(name);
 }
 
-std::vector<DeviceProfile> five_bars() {
+std::vector<DeviceProfile> all_devices() {
     std::vector<DeviceProfile> all(device_profiles().begin(), device_profiles().end());
     all.push_back(open_five_bar());
+    all.push_back(find_device_profile("inverse3").value());
     return all;
 }
 
 std::vector<FactorialCase> factorial(const std::vector<double>& delays) {
     std::vector<FactorialCase> cases;
-    for (const DeviceProfile& profile : five_bars()) {
+    for (const DeviceProfile& profile : all_devices()) {
         for (const double period_s : {2e-3, 1e-3, 2.5e-4}) {
             for (const double delay : delays) {
                 for (const char* hand : loop_hands) {

@@ -52,8 +52,9 @@ struct FactorialResult {
 /// is the buzz of one encoder step.
 [[nodiscard]] bool shakes(const FactorialResult& result);
 
-/// The kinds that a board drives, and the one with motors of its own controllers.
-[[nodiscard]] std::vector<DeviceProfile> five_bars();
+/// The kinds that a board drives, the one with motors of its own controllers, and the Inverse3,
+/// which has no arms whose scale could be off.
+[[nodiscard]] std::vector<DeviceProfile> all_devices();
 
 /// `delays` in periods.
 [[nodiscard]] std::vector<FactorialCase> factorial(const std::vector<double>& delays);

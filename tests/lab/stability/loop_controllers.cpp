@@ -1,6 +1,5 @@
 #include "tests/lab/stability/loop_controllers.h"
 
-#include "haptics/device/joint_device.h"
 #include "haptics/safety/force_chain.h"
 #include "haptics/servo/loop_settings.h"
 #include "haptics/servo/servo_step.h"
@@ -17,7 +16,7 @@ constexpr double penalty_band_m = 3e-3;  // the motors' 2 to 3 N at the default 
 class ShippedStep final : public LoopController {
   public:
     ShippedStep(const DeviceProfile& profile, const LoopParameters& parameters, const Scene& scene)
-        : links_(profile.geometry), servo_(profile, parameters.period_s) {
+        : servo_(profile, parameters.period_s) {
         input_.commands.contact.stiffness_N_per_m = parameters.stiffness_N_per_m;
         input_.commands.contact.radius_m = parameters.radius_m;
         input_.commands.is_level_auto = false;
@@ -27,17 +26,15 @@ class ShippedStep final : public LoopController {
     ControlOutput step(const ControlInput& input) override {
         input_.now_s = input.time_s;
         input_.missed_ticks = input.missed_ticks;
-        input_.reading.reset();
-        if (input.angles) input_.reading = reading_of(links_, *input.angles);
+        input_.reading = input.reading;
         input_.commands.level = input.level;
         if (input.scene != nullptr) input_.scene = input.scene;
-        const JointTorques torques = servo_.step(input_).torques;
+        const DeviceCommand command = servo_.step(input_);
         const HandState& hand = servo_.report().hand;
-        return {torques, hand.force, hand.p_WP, hand.spring_gain, hand.stiffness_N_per_m};
+        return {command, hand.force, hand.p_WP, hand.spring_gain, hand.stiffness_N_per_m};
     }
 
   private:
-    Geometry links_;
     ServoStep servo_;
     StepInput input_;
 };
@@ -51,12 +48,14 @@ class PlainLoop : public LoopController {
           most_N_(limits_of(profile).force_N) {}
 
     ControlOutput step(const ControlInput& input) override {
-        const auto pose = input.angles ? forward(profile_.geometry, *input.angles) : std::nullopt;
-        if (!pose) return {{}, {}, last_.place, 1.0, stiffness_N_per_m_};
-        last_ = feel(picture_from_device(profile_, pose->p_DH));
+        const auto& told = input.reading;
+        if (!told || !told->p_D || !told->jacobian)
+            return {{}, {}, last_.place, 1.0, stiffness_N_per_m_};
+        last_ = feel(picture_from_device(profile_, *told->p_D));
         const Force force = scenarios::limited(last_.force, most_N_);
-        return {joint_torques(pose->jacobian, turned(force)), force, last_.place, 1.0,
-                stiffness_N_per_m_};
+        DeviceCommand command;
+        command.torques = joint_torques(*told->jacobian, turned(force));
+        return {command, force, last_.place, 1.0, stiffness_N_per_m_};
     }
 
   protected:

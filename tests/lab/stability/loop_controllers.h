@@ -18,13 +18,13 @@ namespace touchline::stability {
 struct ControlInput {
     double time_s = 0.0;
     std::uint64_t missed_ticks = 0;
-    std::optional<JointAngles> angles;
+    std::optional<DeviceReading> reading;
     double level = 0.0;            // wanted
     const Scene* scene = nullptr;  // felt; null: the one that the controller was made for
 };
 
 struct ControlOutput {
-    JointTorques torques;
+    DeviceCommand command;
     Force force;        // on the hand, in W
     Position place;     // the proxy, or the handle for a renderer without one
     double gain = 1.0;  // of the stability monitor

@@ -47,7 +47,7 @@ bool write_settings(const std::string& path) {
     std::ofstream csv(path);
     csv << "# The same on every machine: tests/lab/stability/run\n"
            "profile,rate_Hz,stiffness_N_per_m,largest_N_per_m,damping_Ns_per_m,encoder_mm\n";
-    for (const DeviceProfile& profile : five_bars()) {
+    for (const DeviceProfile& profile : all_devices()) {
         for (double rate_Hz = 125.0; rate_Hz < 33000.0; rate_Hz *= std::exp2(0.25)) {
             const LoopSettings settings = loop_settings(profile, 1.0 / rate_Hz, 1.0 / rate_Hz);
             csv << fmt::format("{},{:.6g},{:.5g},{:.5g},{:g},{:.4g}\n", profile.name, rate_Hz,

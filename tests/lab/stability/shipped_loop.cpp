@@ -1,5 +1,6 @@
 #include "tests/lab/stability/shipped_loop.h"
 
+#include "haptics/device/simulated/simulated_cartesian.h"
 #include "haptics/device/simulated/simulated_pantograph.h"
 
 #include <algorithm>
@@ -18,12 +19,15 @@ DeviceProfile true_device(const ShippedLoop& loop) {
     return device;
 }
 
-JointTorques disturbed(JointTorques torques, const Faults& faults, std::uint64_t tick) {
+DeviceCommand disturbed(DeviceCommand command, const Faults& faults, std::uint64_t tick) {
     const auto factor = [&](std::uint64_t motor) {
         const double even = even_noise(faults.seed, 4 * tick + motor);
         return 1.0 + faults.torque_noise * (2.0 * even - 1.0);
     };
-    return {factor(0) * torques.x, factor(1) * torques.y};
+    const double of_x = factor(0), of_y = factor(1);
+    command.torques = {of_x * command.torques.x, of_y * command.torques.y};
+    command.force_D = {of_x * command.force_D.x, of_y * command.force_D.y};
+    return command;
 }
 
 /// Books what the force did since the last tick, given that the force told t_d ago acted.
@@ -44,22 +48,10 @@ void book(LoopTrace& trace, const ShippedLoop& loop, double encoder_m, double st
     trace.bound_J += stiffness * moved_m * (0.5 * moved_m * (1.0 + 2.0 * periods) + encoder_m);
 }
 
-}  // namespace
-
-LoopTrace run(const ShippedLoop& loop, const Scene& scene, std::shared_ptr<const IntendedPath> path,
-              double span_s) {
-    const LoopParameters parameters{loop.period_s, loop.stiffness_N_per_m, loop.radius_m};
-    const auto controller = shipped_step(loop.profile, parameters, scene);
-    return run(loop, *controller, std::move(path), span_s);
-}
-
-LoopTrace run(const ShippedLoop& loop, LoopController& controller,
-              std::shared_ptr<const IntendedPath> path, double span_s) {
-    SimulationOptions options;
-    options.hand = loop.hand;
-    options.arm_1_scale_error = loop.faults.arm_1_scale_error;
-    options.substep_s = std::min(options.substep_s, 0.25 * loop.period_s);
-    SimulatedPantograph device(true_device(loop), options, std::move(path));
+/// `device`: one in software.
+template <class Device>
+LoopTrace drive(const ShippedLoop& loop, Device& device, LoopController& controller,
+                double span_s) {
     const double encoder_m = encoder_step_m(loop.profile);
     const auto ticks = static_cast<std::uint64_t>(std::lround(span_s / loop.period_s));
     const auto skipped = static_cast<std::uint64_t>(std::ceil(late_s / loop.period_s));
@@ -71,11 +63,11 @@ LoopTrace run(const ShippedLoop& loop, LoopController& controller,
             input.missed_ticks += skipped;
         }
         input.time_s = static_cast<double>(tick) * loop.period_s;
-        input.angles = device.read_angles(input.time_s);
+        input.reading = device.read(input.time_s);
         input.level = loop.level ? loop.level(input.time_s) : 0.0;
         if (loop.scene_at) input.scene = loop.scene_at(input.time_s);
         const ControlOutput output = controller.step(input);
-        (void)device.write_torques(disturbed(output.torques, loop.faults, tick));
+        (void)device.write(disturbed(output.command, loop.faults, tick));
         trace.time_s.push_back(input.time_s);
         trace.tip.push_back(device.tip().position);
         trace.place.push_back(output.place);
@@ -84,6 +76,33 @@ LoopTrace run(const ShippedLoop& loop, LoopController& controller,
         book(trace, loop, encoder_m, output.stiffness_N_per_m);
     }
     return trace;
+}
+
+}  // namespace
+
+LoopTrace run(const ShippedLoop& loop, const Scene& scene, std::shared_ptr<const IntendedPath> path,
+              double span_s) {
+    const LoopParameters parameters{loop.period_s, loop.stiffness_N_per_m, loop.radius_m};
+    const auto controller = shipped_step(loop.profile, parameters, scene);
+    return run(loop, *controller, std::move(path), span_s);
+}
+
+LoopTrace run(const ShippedLoop& loop, LoopController& controller,
+              std::shared_ptr<const IntendedPath> path, double span_s) {
+    const double substep_s = std::min(SimulationOptions{}.substep_s, 0.25 * loop.period_s);
+    if (!has_joints(loop.profile)) {
+        CartesianOptions options;
+        options.hand = loop.hand;
+        options.substep_s = substep_s;
+        SimulatedCartesian device(true_device(loop), options, std::move(path));
+        return drive(loop, device, controller, span_s);
+    }
+    SimulationOptions options;
+    options.hand = loop.hand;
+    options.arm_1_scale_error = loop.faults.arm_1_scale_error;
+    options.substep_s = substep_s;
+    SimulatedPantograph device(true_device(loop), options, std::move(path));
+    return drive(loop, device, controller, span_s);
 }
 
 double extent_m(const LoopTrace& trace, double from_s) {
