@@ -11,6 +11,8 @@
 #include <array>
 #include <cstdint>
 #include <stdexcept>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -19,10 +21,10 @@
 namespace touchline {
 namespace {
 
-const TactileMap& map_of(const std::string& name) {
+const TactileMap& map_of(std::string_view name) {
     static const std::vector<ShippedPicture> pictures = shipped_pictures();
     const auto at = std::ranges::find(pictures, name, &ShippedPicture::name);
-    if (at == pictures.end()) throw std::runtime_error("no picture " + name);
+    if (at == pictures.end()) throw std::runtime_error("no picture " + std::string(name));
     return at->map;
 }
 
