@@ -38,8 +38,9 @@ struct ArmNews {
 };
 
 /// Silence of this length is the loss of the other: of the service, which is told zero once more,
-/// and of the one who wants forces, for whom zero is told.
-inline constexpr double longest_arm_silence_s = 0.020;
+/// and of the one who wants forces, for whom zero is told. With a tick before and a frame's way
+/// after it the force ends within 20 ms.
+inline constexpr double longest_arm_silence_s = 0.018;
 
 /// Threads: a plain value. hear() allocates. `now_s` never goes back.
 class Inverse3Session {

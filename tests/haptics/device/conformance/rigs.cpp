@@ -1,7 +1,6 @@
 #include "tests/haptics/device/conformance/rigs.h"
 
 #include "haptics/device/drives/motor_pair.h"
-#include "haptics/device/inverse3/inverse3_session.h"
 
 #include <array>
 
@@ -19,10 +18,10 @@ RigPromises of_the_board() {
 RigPromises of_the_inverse3() {
     RigPromises promises;
     promises.place_m = 2e-4;
-    promises.silence_s = 22e-3;  // the session's, and a frame's way
+    promises.silence_s = 20e-3;  // the session's, a tick and a frame's way
     promises.needs_opening = false;
     promises.free_s = 0.001;
-    promises.alone_s = longest_arm_silence_s + 2e-3;
+    promises.alone_s = promises.silence_s;
     return promises;
 }
 

@@ -179,7 +179,7 @@ TEST(Inverse3Session, LateAnswersCountOnlyOnceTheNewestIsIn) {
     talk.rest(0.4);
     talk.push({1.0, 0.0, 0.0}, 0.05);
     const std::uint64_t places = talk.link.news().places;
-    talk.link.spoil(AnswerFault::late, 2, 0.05);  // to the force, and to the zero 20 ms later
+    talk.link.spoil(AnswerFault::late, 2, 0.05);  // to the force, and to the zero 18 ms later
     talk.push({1.0, 0.0, 0.0}, 0.065);
     EXPECT_EQ(talk.link.news().places, places) << "the first tells of 50 ms ago";
     talk.push({1.0, 0.0, 0.0}, 0.05);
