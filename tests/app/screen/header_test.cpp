@@ -13,7 +13,7 @@ namespace {
 
 TEST(Header, LeavesRoomForThePlaceOfEveryItem) {
     const Canvas probe(1, 1);
-    const Language& language = every_language().front();
+    const Language language = every_language().front();
     SpokenScreen screen;
     screen.title = "A very long name of a list that the band has hardly any room for at all";
     screen.items = {{1, ItemRole::choice, "boat", "", "", "picture 137 of 205"},
