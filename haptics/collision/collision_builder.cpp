@@ -348,7 +348,11 @@ void CollisionTreeBuilder::lay_grid() {
         const int coarsest = curves_.piece(piece).coarsest;
         add_stretches(piece, std::min(start_level, coarsest), stretches);
     }
-    for (const Stretch& stretch : stretches) bounds.push_back(upright_shadow(stretch));
+    for (const auto& [piece, level, first, count] : stretches) {
+        for (int j = first; j < first + count; ++j) {
+            bounds.push_back(upright_shadow({piece, level, j, 1}));
+        }
+    }
     tree_.start_grid_ = StartGrid(std::move(stretches), bounds);
 }
 

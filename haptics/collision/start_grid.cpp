@@ -7,10 +7,10 @@
 namespace touchline {
 namespace {
 
-constexpr double cells_per_stretch = 32.0;
+constexpr double cells_per_stretch = 128.0;
 constexpr double least_cells = 256.0;
 constexpr double most_cells = 262144.0;
-constexpr double least_cell_m = 2e-4;  // a fast hand's way in a tick
+constexpr double least_cell_m = 5e-4;  // a fast hand's way in a tick
 
 }  // namespace
 
@@ -30,6 +30,7 @@ StartGrid::StartGrid(std::vector<Stretch> stretches, std::span<const Shadow> bou
     low_ = low_ - Position{cell_m_, cell_m_};
     columns_ = 3 + static_cast<int>(size.x * per_cell_m_);
     rows_ = 3 + static_cast<int>(size.y * per_cell_m_);
+    const double beside_m = grown * cell_m_;
     const auto column = [&](double x) {
         return std::clamp(static_cast<int>((x - low_.x) * per_cell_m_), 0, columns_ - 1);
     };
@@ -37,11 +38,17 @@ StartGrid::StartGrid(std::vector<Stretch> stretches, std::span<const Shadow> bou
         return std::clamp(static_cast<int>((y - low_.y) * per_cell_m_), 0, rows_ - 1);
     };
     const auto for_each_cell = [&](auto&& visit) {
+        std::vector<std::int32_t> last(static_cast<std::size_t>(columns_ * rows_), -1);
+        const Shadow* node = bounds.data();
         for (std::size_t i = 0; i < stretches_.size(); ++i) {
-            const Shadow& at = bounds[i];
-            for (int y = row(at.across_low); y <= row(at.across_high); ++y) {
-                for (int x = column(at.along_low); x <= column(at.along_high); ++x) {
-                    visit(static_cast<std::size_t>(y * columns_ + x), i);
+            for (int k = 0; k < stretches_[i].count; ++k, ++node) {
+                for (int y = row(node->across_low - beside_m); y <= row(node->across_high + beside_m); ++y) {
+                    for (int x = column(node->along_low - beside_m); x <= column(node->along_high + beside_m); ++x) {
+                        const auto cell = static_cast<std::size_t>(y * columns_ + x);
+                        if (last[cell] == static_cast<std::int32_t>(i)) continue;
+                        last[cell] = static_cast<std::int32_t>(i);
+                        visit(cell, i);
+                    }
                 }
             }
         }

@@ -52,39 +52,19 @@ class TreeWalk {
     /// and the level is no coarser than the grid's.
     double run_near(const Way& way) {
         if (!(level_ <= tree_.start_level_)) return run();
-        const std::optional<StartGrid::Cells> cells = tree_.start_grid_.cells_near(way);
-        if (!cells) return run();
-        visitor_.spare(cells->margin_m);
-        return run_from(*cells);
-    }
-
-  private:
-    double run_from(const StartGrid::Cells& cells) {
-        for (int y = cells.y_first; y <= cells.y_last; ++y) {
-            for (int x = cells.x_first; x <= cells.x_last; ++x) {
-                for (const std::int32_t i : tree_.start_grid_.stretches_in(x, y)) {
-                    if (has_met(i)) continue;
-                    const Stretch& stretch = tree_.start_grid_.stretch(i);
-                    if (!visitor_.spend(stretch.count)) return 0.0;
-                    if (!start(stretch)) return 0.0;
-                }
-            }
+        const std::optional<StartGrid::Start> start = tree_.start_grid_.start_of(way);
+        if (!start) return run();
+        visitor_.spare(start->margin_m);
+        for (const std::int32_t i : start->stretches) {
+            const Stretch& stretch = tree_.start_grid_.stretch(i);
+            if (!visitor_.spend(stretch.count) || !walk(stretch)) return 0.0;
         }
         return INFINITY;
     }
 
-    /// Whether another cell that shares the stretch has already led to it, as far as remembered.
-    bool has_met(std::int32_t stretch) {
-        const std::size_t remembered = std::min(met_count_, met_.size());
-        for (std::size_t i = 0; i < remembered; ++i) {
-            if (met_[i] == stretch) return true;
-        }
-        met_[met_count_++ % met_.size()] = stretch;
-        return false;
-    }
-
+  private:
     /// Walks a stretch of the grid and everything below it. Returns false if the budget ended.
-    bool start(const Stretch& stretch) {
+    bool walk(const Stretch& stretch) {
         const Sifted found = visitor_.sift(tree_.fan(curves_, stretch, buffer_));
         if (found.near == 0) return true;
         look_up(stretch.piece);
@@ -255,8 +235,6 @@ class TreeWalk {
     RenderedPiece rendered_;  // of that piece
     std::size_t size_ = 0;
     std::size_t first_of_fan_ = 0;
-    std::size_t met_count_ = 0;
-    std::array<std::int32_t, 8> met_;  // the last ones
     CollisionTree::FanBuffer buffer_{};
     std::array<Entry, capacity> stack_;
 };
