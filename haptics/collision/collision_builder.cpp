@@ -348,12 +348,15 @@ void CollisionTreeBuilder::lay_grid() {
         const int coarsest = curves_.piece(piece).coarsest;
         add_stretches(piece, std::min(start_level, coarsest), stretches);
     }
-    for (const auto& [piece, level, first, count] : stretches) {
-        for (int j = first; j < first + count; ++j) {
-            bounds.push_back(upright_shadow({piece, level, j, 1}));
+    std::vector<StartGrid::Nodes> nodes;
+    CollisionTree::FanBuffer buffer{};
+    for (const Stretch& stretch : stretches) {
+        nodes.push_back({stretch, ready(tree_.fan(curves_, stretch, buffer))});
+        for (int j = stretch.first; j < stretch.first + stretch.count; ++j) {
+            bounds.push_back(upright_shadow({stretch.piece, stretch.level, j, 1}));
         }
     }
-    tree_.start_grid_ = StartGrid(std::move(stretches), bounds);
+    tree_.start_grid_ = StartGrid(std::move(nodes), bounds);
 }
 
 CollisionTree CollisionTree::build(const CurveSet& curves, double radius_m) {

@@ -37,11 +37,17 @@ class StartGrid {
         double margin_m;
     };
 
+    /// A stretch with its nodes.
+    struct Nodes {
+        Stretch stretch;
+        ReadyFan fan;
+    };
+
     StartGrid() = default;
 
     /// `bounds` are those of each node of each stretch, in their order, x along and y across.
     /// O(nodes + cells).
-    StartGrid(std::vector<Stretch> stretches, std::span<const Shadow> bounds);
+    StartGrid(std::vector<Nodes> stretches, std::span<const Shadow> bounds);
 
     /// Returns nothing if the way leaves the grid, or is too long for a cell: it may be as long as a
     /// cell, less its reach. O(1).
@@ -64,7 +70,7 @@ class StartGrid {
                      margin * cell_m_};
     }
 
-    [[nodiscard]] const Stretch& stretch(std::int32_t i) const {
+    [[nodiscard]] const Nodes& nodes(std::int32_t i) const {
         return stretches_[static_cast<std::size_t>(i)];
     }
 
@@ -78,7 +84,7 @@ class StartGrid {
     double per_cell_m_ = 1.0;
     int columns_ = 0;
     int rows_ = 0;
-    std::vector<Stretch> stretches_;
+    std::vector<Nodes> stretches_;
     std::vector<std::int32_t> first_item_;  // per cell, in items_; one more at the end
     std::vector<std::int32_t> items_;       // stretches
 };

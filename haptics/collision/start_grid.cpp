@@ -14,7 +14,7 @@ constexpr double least_cell_m = 5e-4;  // a fast hand's way in a tick
 
 }  // namespace
 
-StartGrid::StartGrid(std::vector<Stretch> stretches, std::span<const Shadow> bounds)
+StartGrid::StartGrid(std::vector<Nodes> stretches, std::span<const Shadow> bounds)
     : stretches_(std::move(stretches)) {
     if (stretches_.empty()) return;
     Shadow all = no_shadow;
@@ -41,7 +41,7 @@ StartGrid::StartGrid(std::vector<Stretch> stretches, std::span<const Shadow> bou
         std::vector<std::int32_t> last(static_cast<std::size_t>(columns_ * rows_), -1);
         const Shadow* node = bounds.data();
         for (std::size_t i = 0; i < stretches_.size(); ++i) {
-            for (int k = 0; k < stretches_[i].count; ++k, ++node) {
+            for (int k = 0; k < stretches_[i].stretch.count; ++k, ++node) {
                 for (int y = row(node->across_low - beside_m); y <= row(node->across_high + beside_m); ++y) {
                     for (int x = column(node->along_low - beside_m); x <= column(node->along_high + beside_m); ++x) {
                         const auto cell = static_cast<std::size_t>(y * columns_ + x);
@@ -64,7 +64,7 @@ StartGrid::StartGrid(std::vector<Stretch> stretches, std::span<const Shadow> bou
 }
 
 std::size_t StartGrid::memory_bytes() const {
-    return stretches_.capacity() * sizeof(Stretch) +
+    return stretches_.capacity() * sizeof(Nodes) +
            (first_item_.capacity() + items_.capacity()) * sizeof(std::int32_t);
 }
 

@@ -56,21 +56,26 @@ class TreeWalk {
         if (!start) return run();
         visitor_.spare(start->margin_m);
         for (const std::int32_t i : start->stretches) {
-            const Stretch& stretch = tree_.start_grid_.stretch(i);
-            if (!visitor_.spend(stretch.count) || !walk(stretch)) return 0.0;
+            const StartGrid::Nodes& nodes = tree_.start_grid_.nodes(i);
+            if (!visitor_.spend(nodes.stretch.count) || !walk(nodes)) return 0.0;
         }
         return INFINITY;
     }
 
   private:
     /// Walks a stretch of the grid and everything below it. Returns false if the budget ended.
-    bool walk(const Stretch& stretch) {
-        const Sifted found = visitor_.sift(tree_.fan(curves_, stretch, buffer_));
+    bool walk(const StartGrid::Nodes& nodes) {
+        const Sifted found = sifted(nodes);
         if (found.near == 0) return true;
-        look_up(stretch.piece);
+        look_up(nodes.stretch.piece);
         first_of_fan_ = size_;
-        push_fan(found, stretch, 0.0);
+        push_fan(found, nodes.stretch, 0.0);
         return !std::isfinite(finish());
+    }
+
+    Sifted sifted(const StartGrid::Nodes& nodes) {
+        if constexpr (requires { visitor_.sift(nodes.fan); }) return visitor_.sift(nodes.fan);
+        return visitor_.sift(tree_.fan(curves_, nodes.stretch, buffer_));
     }
 
     double finish() {
@@ -249,7 +254,7 @@ class FirstTouch {
     /// Boxes not looked at stay at least this far out of reach.
     void spare(double margin_m) { least_gap2_m2_ = std::min(least_gap2_m2_, margin_m * margin_m); }
 
-    Sifted sift(const Fan& fan) {
+    Sifted sift(const auto& fan) {
         const Sifted found = touchline::sift(fan, way_);
         least_gap2_m2_ = std::min(least_gap2_m2_, static_cast<double>(found.gap2_m2));
         return found;
