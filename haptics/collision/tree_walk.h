@@ -273,9 +273,9 @@ class FirstTouch {
     void test(SegmentRef ref, const Segment& segment) {
         if (ref == motion_.excluded[0] || ref == motion_.excluded[1]) return;
         least_gap2_m2_ = 0.0;
-        tie_ = tie_of(motion_);
         const auto found = touch(motion_.from, motion_.to, motion_.radius_m, segment);
         if (!found) return;
+        tie_ = tie_of(motion_);
         if (hit_.is_hit && found->fraction > hit_.clear + tie_) return;
         const bool is_tie = hit_.is_hit && found->fraction >= hit_.clear - tie_;
         const bool is_kept = is_tie && hit_.segment < ref;
@@ -314,7 +314,7 @@ class FirstTouch {
 
     const Motion& motion_;
     Way way_;
-    double tie_ = 0.0;  // worked out at the first segment
+    double tie_ = 0.0;  // worked out at the first hit
     double least_gap2_m2_ = INFINITY;
     Hit hit_;
 };
