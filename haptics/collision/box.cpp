@@ -230,8 +230,7 @@ FourBoxes boxes_of(const Fan& fan, Position place) {
     const auto by_x = static_cast<float>(way.by.x);
     const auto by_y = static_cast<float>(way.by.y);
     const auto reach = static_cast<float>(way.reach_m * (1.0 + 1e-6));
-    const Floats distance =
-        length_bounds(w) + (size_m + static_cast<float>(length_bound(way.by)));
+    const Floats distance = length_bounds(w) + (size_m + static_cast<float>(length_bound(way.by)));
     const Floats grow = (reach + 4e-6F * distance) * length_bounds(axis);
     const Floats s = dot(axis, w);
     const Floats n = cross(axis, w);

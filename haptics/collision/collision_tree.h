@@ -45,12 +45,11 @@ class StartGrid {
 
     StartGrid() = default;
 
-    /// `bounds` are those of each node of each stretch, in their order, x along and y across.
-    /// O(nodes + cells).
-    StartGrid(std::vector<Nodes> stretches, std::span<const Shadow> bounds);
+    /// `bounds` are those of each node of each stretch, in their order, x along and y across. For
+    /// ways that reach as far as `reach_m`. O(nodes + cells).
+    StartGrid(std::vector<Nodes> stretches, std::span<const Shadow> bounds, double reach_m);
 
-    /// Returns nothing if the way leaves the grid, or is too long for a cell: it may be as long as a
-    /// cell, less its reach. O(1).
+    /// Returns nothing if the way leaves the grid, or what its cell answers for. O(1).
     [[nodiscard]] std::optional<Start> start_of(const Way& way) const {
         const double reach = way.reach_m * per_cell_m_;
         const double by_x = 0.5 * way.by.x * per_cell_m_;
@@ -78,6 +77,13 @@ class StartGrid {
 
   private:
     static constexpr double grown = 0.5;  // cells round a cell that it answers for
+
+    struct Item {
+        std::size_t cell;
+        std::int32_t stretch;
+    };
+
+    [[nodiscard]] std::vector<Item> items_of(std::span<const Shadow> bounds) const;
 
     Position low_;
     double cell_m_ = 1.0;
