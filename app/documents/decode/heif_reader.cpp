@@ -11,6 +11,9 @@
 #include <utility>
 
 #include <libheif/heif.h>
+#if LIBHEIF_HAVE_VERSION(1, 16, 0)
+#include <libheif/heif_properties.h>
+#endif
 
 namespace touchline::decode {
 namespace {
@@ -75,16 +78,29 @@ Result<Picture> picture_of(const heif_image* image, std::string_view name) {
     return std::move(shrinking).picture();
 }
 
-/// The shape of its pixels. libheif reports it for the picture before turning.
-Resolution resolution_of(const heif_image* image, const heif_image_handle* handle) {
-    std::uint32_t across = 0;
-    std::uint32_t down = 0;
-    heif_image_get_pixel_aspect_ratio(image, &across, &down);
+/// Whether libheif turned the picture by a quarter. Where it does not tell (1.15, in Debian 12),
+/// its sides do; those of a newer one are filled up to blocks, so both may be alike.
+bool is_turned([[maybe_unused]] const heif_context* context, const heif_image_handle* handle,
+               [[maybe_unused]] const heif_image* image) {
+#if LIBHEIF_HAVE_VERSION(1, 16, 0)
+    const int degrees = heif_item_get_property_transform_rotation_ccw(
+        context, heif_image_handle_get_item_id(handle), 0);
+    return degrees == 90 || degrees == 270;
+#else
     const bool was_wide =
         heif_image_handle_get_ispe_width(handle) > heif_image_handle_get_ispe_height(handle);
     const bool is_wide =
         heif_image_get_width(image, heif_channel_B) > heif_image_get_height(image, heif_channel_B);
-    if (was_wide != is_wide) std::swap(across, down);
+    return was_wide != is_wide;
+#endif
+}
+
+/// The shape of its pixels. libheif reports it for the picture before turning.
+Resolution resolution_of(const heif_image* image, bool is_turned) {
+    std::uint32_t across = 0;
+    std::uint32_t down = 0;
+    heif_image_get_pixel_aspect_ratio(image, &across, &down);
+    if (is_turned) std::swap(across, down);
     // The wider the pixels are, the fewer fit on a length.
     return {static_cast<double>(down), static_cast<double>(across)};
 }
@@ -123,7 +139,8 @@ Result<Stored> read_heif(Bytes bytes) {
     auto picture = picture_of(image.get(), name);
     if (!picture) return tl::unexpected(picture.error());
     constexpr int is_upright = 1;
-    return Stored{std::move(*picture), resolution_of(image.get(), handle->get()), is_upright};
+    const bool has_turned = is_turned(context.get(), handle->get(), image.get());
+    return Stored{std::move(*picture), resolution_of(image.get(), has_turned), is_upright};
 }
 
 }  // namespace
