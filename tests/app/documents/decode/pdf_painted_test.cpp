@@ -145,7 +145,7 @@ std::vector<Painting> paintings() {
     return {
         {"JPX",
          place_image,
-         {image("/Filter /JPXDecode", made_by_convert("-colorspace gray", "jp2"))},
+         {image("/Filter /JPXDecode", made_by_convert("-colorspace gray -alpha off", "jp2"))},
          images},
         {"JBIG2",
          place_image,
