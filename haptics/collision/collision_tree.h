@@ -130,7 +130,7 @@ struct TreeChildren {
     int count = 0;
 };
 
-/// With less than about 64 boxes, or a deadline of under 7 us, a motion that starts among many
+/// With less than about 128 boxes, or a deadline of under 7 us, a motion that starts among many
 /// lines may get nowhere: what the query does not look at counts as an obstacle from the start.
 struct Budget {
     int boxes = std::numeric_limits<int>::max();  // boxes that may be opened
