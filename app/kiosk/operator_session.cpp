@@ -223,7 +223,7 @@ void OperatorSession::hold(const Settings& site) {
     settings_ = held.value_or(site);
 }
 
-/// With what a shell wrote since the file was read last. Nothing if both do not go together.
+/// Adds what a shell wrote since the file was read last. Nothing if both do not go together.
 std::optional<Settings> OperatorSession::merged(const WriteSettings& write) const {
     if (write.is_whole) return write.settings;
     const Settings now = read_settings(files_.settings).settings;

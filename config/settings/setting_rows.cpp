@@ -106,7 +106,7 @@ constexpr std::array<TextRule, 10> text_rules{
      {is_notice, "a line of at most 200 bytes, or \"\" for none"},
      {is_name, "a name of small letters, digits and \"-\", or \"\" for none"},
      {is_queue, "the name of a printer in CUPS, or \"\" for none"},
-     {is_port, "a path in /dev/, a CAN interface, an Inverse3 (04EA@10002), or \"\" for none"}}};
+     {is_port, "a path in /dev/, a CAN interface, NAME@PORT, or \"\" for none"}}};
 static_assert(static_cast<std::size_t>(TextKind::port) + 1 == text_rules.size());
 
 std::string short_number(double value) {

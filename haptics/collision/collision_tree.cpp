@@ -29,10 +29,22 @@ class FirstHit : public FirstTouch {
 
     void leaf(SegmentRef ref, const Segment& segment) { test(ref, segment); }
 
+    /// Leaves out nodes of these edges, which have been shown to it.
+    void leave_out(const Stretch& edges) { seen_ = edges; }
+
+    [[nodiscard]] bool has_seen(const Stretch& node) const {
+        if (node.piece != seen_.piece) return false;
+        const int octaves = node.level - seen_.level;
+        const int first = node.first << octaves;
+        const int last = (node.first + node.count) << octaves;
+        return first >= seen_.first && last <= seen_.first + seen_.count;
+    }
+
     Hit result(double unopened) { return FirstTouch::result(unopened, spender_.opened()); }
 
   private:
     Spender spender_;
+    Stretch seen_{-1, 0, 0, 0};  // none
 };
 
 /// What visitors that look for what is nearest to a place have in common.
@@ -184,7 +196,9 @@ Hit CollisionTree::first_hit(const CurveSet& curves, const Motion& motion,
 Hit CollisionTree::first_hit_from(const CurveSet& curves, const Motion& motion, SegmentRef start,
                                   const Budget& budget) const {
     FirstHit visitor(motion, budget);
-    if (RowScan(*this, curves, motion.level, visitor).run(start)) return visitor.result(INFINITY);
+    RowScan scan(*this, curves, motion.level, visitor);
+    if (scan.run(start)) return visitor.result(INFINITY);
+    visitor.leave_out(scan.shown());
     TreeWalk walk(*this, curves, motion.level, visitor);
     return visitor.result(walk.run_near(visitor.way()));
 }

@@ -22,6 +22,7 @@ class RowScan {
     /// Shows the visitor whatever the way can meet first. Returns false if it may meet something
     /// else, or the budget ended; what was shown is right all the same.
     bool run(SegmentRef start) {
+        shown_ = {-1, 0, 0, 0};
         const double rendered = curves_.rendered_level(start.piece, level_);
         const auto leaf_level = static_cast<int>(rendered);
         if (leaf_level != rendered) return false;
@@ -35,13 +36,15 @@ class RowScan {
             if (last + 2 * Fan::width > row_.size() || !are_alone(level, index)) return false;
             if (!visitor_.spend(5 << (up - 2))) return false;
             look_at(static_cast<std::size_t>(index - 2) << up, last);
-            if (visitor_.cut() <= stays(level, index)) {
-                visitor_.spare(0.0);
-                return true;
-            }
+            shown_ = {piece_, leaf_level, (index - 2) << up, 5 << up};
+            visitor_.spare(0.0);
+            if (visitor_.cut() <= stays(level, index)) return true;
         }
         return false;
     }
+
+    /// Returns the edges that run() has shown, or found out of reach; none if it did neither.
+    [[nodiscard]] const Stretch& shown() const { return shown_; }
 
   private:
     /// Four points as the way sees them: beside it, and ahead of its start, times its length; and
@@ -118,6 +121,7 @@ class RowScan {
     const CurveSet& curves_;
     double level_;
     Visitor& visitor_;
+    Stretch shown_{-1, 0, 0, 0};
     int piece_ = -1;  // whose points these are:
     std::span<const Position> row_;
 };

@@ -25,6 +25,7 @@ namespace touchline {
 ///                                           segment is passed to leaf() without a look at its box
 ///   void spare(double)                      boxes not looked at stay at least this far out of
 ///                                           reach of the way; only for run_near()
+///   bool has_seen(const Stretch&)           if there is one: whether a piece's nodes need no look
 ///   bool spend(int)                         this many boxes are opened; false: the budget does not
 ///                                           suffice
 /// A box is opened when its children are looked at, so n opened boxes lead to at most n + 1 leaves.
@@ -96,6 +97,7 @@ class TreeWalk {
         while (size_ > 0) {
             const Entry top = stack_[--size_];
             if (top.key > visitor_.cut()) continue;
+            if (has_seen(top)) continue;
             if (!visitor_.spend(cost_of(top))) {
                 ++size_;
                 return smallest_key();
@@ -123,6 +125,13 @@ class TreeWalk {
         double key = INFINITY;
         for (std::size_t i = 0; i < size_; ++i) key = std::min(key, stack_[i].key);
         return key;
+    }
+
+    [[nodiscard]] bool has_seen(const Entry& entry) const {
+        if constexpr (requires { visitor_.has_seen(Stretch{}); }) {
+            return visitor_.has_seen({entry.piece, entry.level, entry.index, 1});
+        }
+        return false;
     }
 
     /// A child's box may stick out of its parent's, but its content does not: so keys never fall.

@@ -182,6 +182,7 @@ bool ContactMachine::rebind(const Scene* scene) {
     outlines_ = RenderedOutlines(*scene, level);
     const auto pieces = scene->curves.piece_count();
     if (touched_piece_ < -1 || touched_piece_ >= pieces || !groove_.fits(outlines_)) return false;
+    if (proxy_.left.piece >= 0 && !outlines_.has(proxy_.left)) return false;
     const int least = proxy_.state == ContactState::free ? 0 : 1;
     if (proxy_.contact_count < least || proxy_.contact_count > 2) return false;
     for (int i = 0; i < proxy_.contact_count; ++i) {
@@ -261,6 +262,7 @@ int ContactMachine::change_level(double level, Position handle, const ContactSet
     }
     outlines_ = RenderedOutlines(outlines_.scene(), level);
     proxy_.spare_m = 0.0;
+    proxy_.left = {};
     return boxes;
 }
 

@@ -55,8 +55,8 @@ ContactStep::Next ContactStep::move_free() {
         place(handle_);
         return Next::done;
     }
-    const Sweep found = way_m > still_m ? sweep_tree(handle_, radius_m_, {}, left_) : Sweep{};
-    left_ = {};
+    const Sweep found = way_m > still_m ? sweep_tree(handle_, radius_m_, {}, proxy_.left) : Sweep{};
+    if (found.contact || found.share > 0.0) proxy_.left = {};
     proxy_.spare_m = found.spare_m;
     if (found.contact) {
         first() = *found.contact;
@@ -298,7 +298,7 @@ Passage ContactStep::passage_after(int index, int step) {
 
 /// A vertex is left over its edge.
 ContactStep::Next ContactStep::let_go() {
-    left_ = first().segment;
+    proxy_.left = first().segment;
     proxy_.contact_count = 0;
     enter(ContactState::edge);
     enter(ContactState::free);

@@ -130,7 +130,6 @@ class ContactStep {
     std::vector<Position>* path_;
     double radius_m_;
     Position handle_;
-    SegmentRef left_;       // by a proxy that has just let go
     Position last_corner_;  // the corner last visited and how often without moving away
     int visits_ = 0;
     int walks_ = 0;

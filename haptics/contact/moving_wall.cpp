@@ -50,6 +50,7 @@ std::optional<Carried> MovingWall::carry(const ProxyState& proxy, Position handl
         found = proxy.contacts[0].is_round ? carry_round(proxy) : carry_edge(proxy);
     }
     if (found) found->proxy.spare_m = 0.0;
+    if (found) found->proxy.left = {};
     return found;
 }
 

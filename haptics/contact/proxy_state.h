@@ -89,6 +89,7 @@ struct ProxyState {
     int contact_count = 0;
     // While free: how far the proxy may still go before it can meet anything, by the last query.
     double spare_m = 0.0;
+    SegmentRef left;  // while free: the edge that it has let go of, until it moves
 };
 
 /// Up to 16 states in order, beginning with the one before the step; further ones are left out.

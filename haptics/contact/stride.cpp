@@ -99,8 +99,8 @@ int vertices_passed(const EdgeRow& row, const CollisionTree& tree, int index, bo
         const Position* const points = row.points.data() + start;
         const FourEdges four = left < width ? last_edges(points, step, left, pulled)
                                             : four_edges(points, step, pulled);
-        // From one edge to the next, both turned less than a right angle from the handle's
-        // direction, the way turns by less than that too.
+        // Two edges that both turn less than a right angle from the handle's direction turn by
+        // less than that from one to the next too.
         unsigned gone = lanes::gathered(lanes::moved_on<3>(is_passed, four.is_passed) &
                                         four.is_entered & Masks{1, 2, 4, 8});
         if (edges == 0) gone |= 1U;

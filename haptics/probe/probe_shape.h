@@ -224,7 +224,7 @@ void add_way(const ProbePose& from, const ProbeMove& move, std::vector<ProbePose
 /// A pose with its sine and cosine worked out.
 class ProbePlacement {
   public:
-    /// At the origin of W, not turned.
+    /// The pose lies at the origin of W and is not turned.
     ProbePlacement() = default;
 
     explicit ProbePlacement(const ProbePose& pose) : origin_(pose.place()), turn_(pose.angle_rad) {}

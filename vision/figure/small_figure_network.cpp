@@ -9,7 +9,7 @@ namespace touchline {
 namespace {
 
 constexpr int side_px = 256;
-constexpr int answer_px = side_px / 4;
+constexpr int answer_px = side_px / 2;
 constexpr int colour_count = 3;
 constexpr float figure_from = 0.45F;  // measured: tests/lab/figure_network/README.md
 

@@ -8,7 +8,7 @@
 namespace touchline {
 
 /// Its input is 1 x 9 x 256 x 256: planes red, green, blue, each value (v - 128) / 128, and the
-/// cues of vision/figure/figure_cues.h. Its output is 1 x 1 x 64 x 64, 0 to 1.
+/// cues of vision/figure/figure_cues.h. Its output is 1 x 1 x 128 x 128, 0 to 1.
 class SmallFigureNetwork {
   public:
     /// Fails with one line if OpenCV cannot build it.

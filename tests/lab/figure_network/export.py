@@ -38,7 +38,7 @@ def main():
     parts = figure.packed(graph)
     made = helper.make_graph(
         parts.nodes, 'figure', [helper.make_tensor_value_info(graph.input, TensorProto.FLOAT, [1, 9, SIDE, SIDE])],
-        [helper.make_tensor_value_info(graph.output, TensorProto.FLOAT, [1, 1, SIDE // 4, SIDE // 4])], parts.constants)
+        [helper.make_tensor_value_info(graph.output, TensorProto.FLOAT, [1, 1, SIDE // 2, SIDE // 2])], parts.constants)
     model = helper.make_model(made, opset_imports=[helper.make_opsetid('', 11)], producer_name='touchline')
     model.ir_version = 6
     onnx.save(model, out)

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""material.py PACKAGES OUT: what the network of the figure learns from, out of unpacked Debian packages.
+"""material.py PACKAGES OUT: what the network of the figure learns from, out of unpacked packages.
 
-PACKAGES holds each package of packages.tsv, unpacked into a folder of its name. OUT gets figures/ (with alpha), drawn/
+PACKAGES holds each package of packages.tsv, unpacked into a folder of its name. OUT gets figures/, rendered/ and drawn/
 (with alpha), grounds/ (without a main thing, as far as one can tell) and photos/ (for marks.py), all small. The same
 packages make the same files."""
 import glob
@@ -12,6 +12,7 @@ import zlib
 
 import cv2
 import numpy as np
+from PIL import Image
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 FIGURE_SIDE = 360
@@ -21,6 +22,17 @@ NO_STAMPS = ('cartoon', 'symbols/alphabets', 'symbols/math', 'symbols/money/00',
              'symbols/faces', 'symbols/chess', 'roadsigns', 'flags')
 # Of the wallpapers, what is a photograph of ground, plants, water, sky or rooms.
 GROUND_NAMES = open(os.path.join(HERE, 'grounds.txt'), encoding='utf-8').read().split()
+# Of the pictures of Scratch, those that are photographs.
+SCRATCH_PHOTOGRAPHS = open(os.path.join(HERE, 'scratch.txt'), encoding='utf-8').read().split()
+# Licences that ask to pass on a text of their own with each picture: we do without those photographs.
+GFDL_ONLY = ('animals/kangaroo',)
+
+
+def emoji():
+    """The code points of emoji.txt: animals, plants, food, people in motion and things, no faces and no signs."""
+    for word in open(os.path.join(HERE, 'emoji.txt'), encoding='utf-8').read().split():
+        first, _, last = word.partition('-')
+        yield from range(int(first, 16), int(last or first, 16) + 1)
 
 
 def unpacked(file):
@@ -52,6 +64,8 @@ def unpacked(file):
 
 
 def read(file):
+    if file.endswith('.gif'):
+        return cv2.cvtColor(np.array(Image.open(file).convert('RGBA')), cv2.COLOR_RGBA2BGRA)
     return cv2.imread(file, cv2.IMREAD_UNCHANGED)
 
 
@@ -94,7 +108,7 @@ def off_white(picture):
 
 def main():
     packages, out = sys.argv[1:]
-    for kind in ('figures', 'drawn', 'grounds', 'photos'):
+    for kind in ('figures', 'rendered', 'drawn', 'grounds', 'photos'):
         os.makedirs(os.path.join(out, kind), exist_ok=True)
 
     def keep(kind, name, picture):
@@ -119,11 +133,28 @@ def main():
     for file in found('pysiogame', '.png', '.jpg'):
         if '/fish/' in file:
             keep('figures', 'fish/' + os.path.basename(file), figure_of(read(file)))
+    for file in found('scratch', '.png', '.jpg', '.gif'):
+        name = file.split('/Media/')[-1].split('/', 1)[-1]
+        is_photograph = any(part in name for part in SCRATCH_PHOTOGRAPHS)
+        if '/Costumes/' in file and name.split('/')[0] in ('Animals', 'People', 'Things', 'Transportation'):
+            keep('figures' if is_photograph else 'drawn', 'scratch/' + name, figure_of(read(file)))
+        elif '/Backgrounds/' in file and any(part in name for part in GROUND_NAMES):
+            keep('grounds', 'scratch/' + name, eight_bits(read(file))[..., :3])
+    wanted = set(emoji())
+    for file in found('@lobehub/fluent-emoji-3d', '.webp'):
+        name = os.path.basename(file).split('.')[0].removesuffix('-fe0f')
+        if all(c in '0123456789abcdef' for c in name) and int(name, 16) in wanted:
+            keep('rendered', 'emoji/' + name, figure_of(read(file)))
+    for file in found('gnome-taquin', '.jpg'):
+        if '/cats/1-' in file:
+            keep('photos', 'cats/' + os.path.basename(file)[2:], shrunk(read(file), GROUND_SIDE))
+    for file in found('palapeli-data', 'european-honey-bee.jpg'):
+        keep('photos', 'palapeli/' + os.path.basename(file), shrunk(read(file), GROUND_SIDE))
     for file in found('gcompris-qt-data', '.rcc'):
         for path, data in unpacked(file):
             picture = cv2.imdecode(np.frombuffer(data, 'u1'), cv2.IMREAD_UNCHANGED)
             name = path.split('activities/')[-1].replace('resource/', '').replace('images/', '')
-            if picture is None or picture.ndim != 3 or min(picture.shape[:2]) < 120:
+            if picture is None or picture.ndim != 3 or min(picture.shape[:2]) < 120 or any(g in name for g in GFDL_ONLY):
                 continue
             if picture.shape[2] == 3 and name.split('/')[0] in (
                     'categorization', 'erase', 'explore_world_animals', 'explore_farm_animals', 'explore_monuments', 'lang'):
@@ -136,7 +167,9 @@ def main():
                   'plasma-workspace-wallpapers')
     for package in wallpapers:
         for file in found(package, '.jpg', '.jpeg', '.webp', '.png'):
-            if any(name in file for name in GROUND_NAMES):
+            if any(name in file for name in ('Picture_0B', 'mate/nature/Garden.', 'YellowFlower')):
+                keep('photos', package.split('-')[0] + '/' + os.path.basename(file), shrunk(read(file), GROUND_SIDE))
+            elif any(name in file for name in GROUND_NAMES):
                 keep('grounds', package + '/' + '+'.join(file.split('/')[-4:]),
                      shrunk(eight_bits(read(file))[..., :3], 2 * GROUND_SIDE))
     for file in found('supertuxkart-data', '.jpg'):

@@ -1,9 +1,10 @@
-"""The network of the figure: ordinary convolutions, 9 planes in, likelihoods at a quarter of the side out."""
+"""The network of the figure: ordinary convolutions, 9 planes in, likelihoods at half the side out."""
 import torch
 import torch.nn as nn
 import torch.nn.functional as F
 
 WIDTHS = (24, 32, 64, 96, 128)
+FINE = 16  # planes at half the side, where the boundary is decided
 
 
 class Step(nn.Sequential):
@@ -22,6 +23,10 @@ class Residual(nn.Module):
         return F.relu(x + self.second(self.first(x)))
 
 
+def doubled(x):
+    return F.interpolate(x, scale_factor=2.0, mode='bilinear', align_corners=False)
+
+
 class FigureNet(nn.Module):
     def __init__(self, planes=9):
         super().__init__()
@@ -38,15 +43,18 @@ class FigureNet(nn.Module):
         self.mix8 = Residual(c)
         self.up4 = Step(c + b, b, side=1)
         self.mix4 = Residual(b)
-        self.answer = nn.Conv2d(b, 1, 3, 1, 1)
+        self.far = nn.Conv2d(b, FINE, 1)
+        self.near = nn.Conv2d(a, FINE, 1)
+        self.answer = nn.Conv2d(FINE, 1, 3, 1, 1)
 
     def forward(self, x):
-        quarter = self.quarter(self.second(x))
+        second = self.second(x)
+        quarter = self.quarter(second)
         eighth = self.eighth(quarter)
         sixteenth = self.sixteenth(eighth)
         x = self.last(sixteenth)
         x = x + self.whole(x)
         for behind, up, mix in ((sixteenth, self.up16, self.mix16), (eighth, self.up8, self.mix8),
                                 (quarter, self.up4, self.mix4)):
-            x = mix(up(torch.cat([F.interpolate(x, scale_factor=2.0, mode='bilinear', align_corners=False), behind], 1)))
-        return self.answer(x)
+            x = mix(up(torch.cat([doubled(x), behind], 1)))
+        return self.answer(F.relu(self.near(second) + doubled(self.far(x))))

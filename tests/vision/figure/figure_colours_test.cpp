@@ -43,9 +43,27 @@ const cv::Rect2d square(0.3, 0.3, 0.4, 0.4);  // of the picture
 TEST(FigureColours, ABlotBesideAThingIsDrawnOntoIt) {
     const cv::Mat1f drawn =
         drawn_by_colours(blot(cv::Rect(22, 16, 20, 22)), limit, square_on_ground());
-    EXPECT_EQ(drawn.size(), cv::Size(224, 168));
+    EXPECT_EQ(drawn.size(), cv::Size(400, 300));
     EXPECT_GT(overlap(drawn, square), 0.93);
     EXPECT_TRUE(cv::checkRange(drawn, true, nullptr, 0.0, 1.0 + 1e-6));
+}
+
+/// Teeth of two pixels, as fine as hair, are lost in the coarse cut.
+TEST(FigureColours, ARingIsDrawnAgainFiner) {
+    cv::Mat3b picture(300, 400, cv::Vec3b(60, 140, 80));
+    cv::rectangle(picture, cv::Rect(120, 90, 160, 120), cv::Scalar(30, 60, 120), cv::FILLED);
+    for (int x = 120; x < 280; x += 4)
+        cv::rectangle(picture, cv::Rect(x, 84, 2, 6), cv::Scalar(30, 60, 120), cv::FILLED);
+    const cv::Mat1f drawn =
+        drawn_by_colours(blot(cv::Rect(22, 16, 20, 22)), limit, with_noise(picture, 6.0, 5));
+    int teeth = 0;
+    int gaps = 0;
+    for (int x = 120; x < 280; x += 4) {
+        teeth += drawn(87, x) >= 0.3F || drawn(87, x + 1) >= 0.3F ? 1 : 0;
+        gaps += drawn(87, x + 2) < 0.3F || drawn(87, x + 3) < 0.3F ? 1 : 0;
+    }
+    EXPECT_GT(teeth, 30);
+    EXPECT_GT(gaps, 30);
 }
 
 TEST(FigureColours, TheLimitBecomesThatOfFigures) {
@@ -69,8 +87,8 @@ TEST(FigureColours, WhereColoursDisagreeWithTheLikelihoodItStays) {
 TEST(FigureColours, ThingsAndGroundsThatAreSureAreNeverGivenUp) {
     const cv::Mat1f drawn =
         drawn_by_colours(blot(cv::Rect(0, 0, 32, 64), 1.0F, 0.0F), limit, square_on_ground());
-    EXPECT_GT(drawn(84, 20), 0.9F);
-    EXPECT_LT(drawn(84, 200), 0.05F);
+    EXPECT_GT(drawn(150, 36), 0.9F);
+    EXPECT_LT(drawn(150, 357), 0.05F);
 }
 
 TEST(FigureColours, AreTheSameBitsAgain) {
@@ -85,7 +103,7 @@ TEST(FigureColours, AreTheSameBitsAgain) {
 TEST(FigureColours, APictureOfOneRowHasALikelihoodToo) {
     const cv::Mat1f drawn =
         drawn_by_colours(blot(cv::Rect(18, 24, 24, 20)), limit, cv::Mat3b(1, 900));
-    EXPECT_EQ(drawn.size(), cv::Size(224, 1));
+    EXPECT_EQ(drawn.size(), cv::Size(400, 1));
 }
 
 }  // namespace

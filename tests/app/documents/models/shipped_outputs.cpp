@@ -159,7 +159,7 @@ std::vector<OutputRow> shipped_outputs() {
     auto small = value_of(
         SmallFigureNetwork::from_onnx(value_of(read_network(*network_named("small-figure")))));
     for (const Drawing& drawing : drawings())
-        rows.push_back({"small-figure," + std::string(drawing.name) + ",64x64",
+        rows.push_back({"small-figure," + std::string(drawing.name) + ",128x128",
                         numbers_of(small_figure_of(drawing, small))});
     return rows;
 }

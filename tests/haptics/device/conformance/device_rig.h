@@ -52,7 +52,7 @@ class DeviceRig : public Interface {
     /// Spoils the next answer: some of its bits or words are others, by `seed`.
     virtual void garble_next(unsigned seed) = 0;
 
-    /// In the next ticks each answer comes later by late_s, in the same order.
+    /// Each answer of the next ticks comes later by late_s, in the same order.
     virtual void slow_answers(double late_s, int ticks) = 0;
 
     // What only a test can see.

@@ -1,9 +1,12 @@
-// figures_bench PICTURES TRUTHS WAY: looks for the main things of photographs, where somebody has
-// marked them, in one way: the network "figure" at a size (a number: pixels a side), the small
-// network that ships ("small"), or colours alone ("grabcut", vision/contour/main_shape.h).
-// PICTURES/NAME.jpg with PICTURES/NAME-human1.png
+// figures_bench PICTURES TRUTHS WAY [EACH]: looks for the main things of photographs, where
+// somebody has marked them, in one way: the network "figure" at a size (a number: pixels a side),
+// the small network that ships ("small"), or colours alone ("grabcut",
+// vision/contour/main_shape.h). PICTURES/NAME.jpg with PICTURES/NAME-human1.png
 // ... (boundaries), TRUTHS/NAME.png (128 and more: the thing). Prints a row of CSV; the memory is
-// that of this process.
+// that of this process. EACH gets a row more for each picture: way, name, overlap, ring on a
+// boundary, contrast.
+// figures_bench --none PICTURES WAY: in pictures without a main thing; prints how many there are,
+// in how many one is claimed, and in how many surely.
 #include "vision/figure/figures.h"
 
 #include "app/documents/models/networks.h"
@@ -17,6 +20,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <functional>
 #include <memory>
 #include <numeric>
@@ -38,6 +42,7 @@ struct Score {
     double overlap = 0.0;         // intersection over union
     double ring_precision = 0.0;  // of the ring, within two pixels of a boundary that somebody drew
     double ms = 0.0;
+    double contrast = 0.0;
     bool is_sure = false;
 };
 
@@ -84,7 +89,7 @@ Result<Score> score_of(const MarkedPicture& picture, const cv::Mat& truth, const
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
     const cv::Mat found = at_size(figures->mask, picture.picture.size());
     return Score{overlap_of(found, truth), precision_of(found, picture.annotators), took.count(),
-                 figures->is_sure};
+                 figures->signs.contrast, figures->is_sure};
 }
 
 Figures figures_by_colours(const cv::Mat3b& picture) {
@@ -160,18 +165,39 @@ void print(const std::string& way, const std::vector<Score>& scores) {
 }
 
 Result<void> measure(const std::string& pictures, const std::string& truths,
-                     const std::string& name) {
+                     const std::string& name, const std::string& each) {
     const auto marked = pictures_in(pictures, truths);
     if (!marked) return tl::unexpected(marked.error());
     const auto way = way_of(name);
     if (!way) return tl::unexpected(way.error());
     std::vector<Score> scores;
+    std::ofstream rows(each, std::ios::app);
     for (const FigurePicture& picture : *marked) {
         const auto score = score_of(picture.marked, picture.truth >= 128, *way);
         if (!score) return tl::unexpected(score.error());
         scores.push_back(*score);
+        rows << name << ',' << picture.name << ',' << score->overlap << ',' << score->ring_precision
+             << ',' << score->contrast << '\n';
     }
     print(name, scores);
+    return {};
+}
+
+/// Counts in how many pictures without a main thing one is claimed.
+Result<void> measure_none(const std::string& folder, const std::string& name) {
+    const auto pictures = bare_pictures_in(folder);
+    if (!pictures) return tl::unexpected(pictures.error());
+    const auto way = way_of(name);
+    if (!way) return tl::unexpected(way.error());
+    int claimed = 0;
+    int sure = 0;
+    for (const cv::Mat& picture : *pictures) {
+        const auto figures = (*way)(picture);
+        if (!figures) return tl::unexpected(figures.error());
+        claimed += cv::countNonZero(figures->mask >= 128) > 0 ? 1 : 0;
+        sure += figures->is_sure ? 1 : 0;
+    }
+    std::printf("%s,%zu,%d,%d\n", name.c_str(), pictures->size(), claimed, sure);
     return {};
 }
 
@@ -179,11 +205,15 @@ Result<void> measure(const std::string& pictures, const std::string& truths,
 }  // namespace touchline::bench
 
 int main(int argc, char** argv) {
-    if (argc != 4) {
-        std::fputs("usage: figures_bench PICTURES TRUTHS WAY\n", stderr);
+    if (argc < 4 || argc > 5) {
+        std::fputs("usage: figures_bench PICTURES TRUTHS WAY [EACH] | --none PICTURES WAY\n",
+                   stderr);
         return 2;
     }
-    const auto done = touchline::bench::measure(argv[1], argv[2], argv[3]);
+    const bool is_none = std::string(argv[1]) == "--none";
+    const auto done =
+        is_none ? touchline::bench::measure_none(argv[2], argv[3])
+                : touchline::bench::measure(argv[1], argv[2], argv[3], argc > 4 ? argv[4] : "");
     if (done) return 0;
     std::fprintf(stderr, "%s\n", done.error().line.c_str());
     return 1;

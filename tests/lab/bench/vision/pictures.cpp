@@ -90,9 +90,20 @@ Result<std::vector<FigurePicture>> pictures_in(const std::string& folder,
         if (!marked) return tl::unexpected(marked.error());
         auto mask = read_grey(truth.string());
         if (!mask) return tl::unexpected(mask.error());
-        pictures.push_back({std::move(*marked), std::move(*mask)});
+        pictures.push_back({photo.stem().string(), std::move(*marked), std::move(*mask)});
     }
     if (pictures.empty()) return failure(truths + ": there is no mask of a picture in it");
+    return pictures;
+}
+
+Result<std::vector<cv::Mat>> bare_pictures_in(const std::string& folder) {
+    std::vector<cv::Mat> pictures;
+    for (const fs::path& photo : photos_in(folder)) {
+        const Result<cv::Mat> picture = pixels_of(photo.string());
+        if (!picture) return tl::unexpected(picture.error());
+        pictures.push_back(*picture);
+    }
+    if (pictures.empty()) return failure(folder + ": there are no .jpg pictures in it");
     return pictures;
 }
 

@@ -27,6 +27,7 @@ struct MarkedPicture {
 
 /// A photograph whose main thing somebody has marked.
 struct FigurePicture {
+    std::string name;
     MarkedPicture marked;
     cv::Mat1b truth;  // the picture's size; 128 and more: the thing
 };
@@ -34,5 +35,8 @@ struct FigurePicture {
 /// Returns those of a folder that have a mask of the same name in another: TRUTHS/NAME.png.
 [[nodiscard]] Result<std::vector<FigurePicture>> pictures_in(const std::string& folder,
                                                              const std::string& truths);
+
+/// Returns a folder's NAME.jpg, by name, without marks.
+[[nodiscard]] Result<std::vector<cv::Mat>> bare_pictures_in(const std::string& folder);
 
 }  // namespace touchline::bench
