@@ -201,6 +201,69 @@ float least(Floats a) {
     return smaller(halves, __builtin_shufflevector(halves, halves, 1, 0, 3, 2))[0];
 }
 
+FourBoxes boxes_of(const Fan& fan, Position place) {
+    static_assert(sizeof(PackedExtents) == 8);
+    const Extents e = fan.extents != nullptr ? unpacked(fan.extents) : bare_segments;
+    const Pair from = pair(place);
+    const Pair p0 = pair(fan.points[0]);
+    const Pair p1 = pair(fan.points[1]);
+    const Pair p2 = pair(fan.points[2]);
+    const Pair p3 = pair(fan.points[3]);
+    const Pair p4 = pair(fan.points[4]);
+    const Points axis = rounded(p1 - p0, p2 - p1, p3 - p2, p4 - p3);
+    const Points origin = rounded(p0 - from, p1 - from, p2 - from, p3 - from);
+    const Floats square = axis.x * axis.x + axis.y * axis.y;
+    return {axis,
+            origin,
+            square,
+            e.along_low * square,
+            e.along_high * square,
+            e.across_low * square,
+            e.across_high * square,
+            fan.count};
+}
+
+/// `w`: the way's start, seen from the boxes' origins; `size_m`: what was rounded besides, at most.
+[[gnu::always_inline]] inline Sifted sift_boxes(const FourBoxes& boxes, const Points& w,
+                                                const Way& way, float size_m) {
+    const Points& axis = boxes.axis;
+    const auto by_x = static_cast<float>(way.by.x);
+    const auto by_y = static_cast<float>(way.by.y);
+    const auto reach = static_cast<float>(way.reach_m * (1.0 + 1e-6));
+    const Floats distance = length_bounds(w) + (size_m + static_cast<float>(length_bound(way.by)));
+    const Floats grow = (reach + 4e-6F * distance) * length_bounds(axis);
+    const Floats s = dot(axis, w);
+    const Floats n = cross(axis, w);
+    const Floats ds = axis.x * by_x + axis.y * by_y;
+    const Floats dn = axis.x * by_y - axis.y * by_x;
+    const Floats s_low = boxes.along_low - grow;
+    const Floats s_high = boxes.along_high + grow;
+    const Floats n_low = boxes.across_low - grow;
+    const Floats n_high = boxes.across_high + grow;
+    const Floats beside = larger(s_low - larger(s, s + ds), smaller(s, s + ds) - s_high);
+    const Floats off = larger(n_low - larger(n, n + dn), smaller(n, n + dn) - n_high);
+    const Floats gap = larger(beside, off);
+    const Floats turn = ds * (n_low + n_high - 2.0F * n) - dn * (s_low + s_high - 2.0F * s);
+    const Floats room = absolute(ds) * (n_high - n_low) + absolute(dn) * (s_high - s_low);
+    // An axis too short for its square says nothing, so such a box counts as near.
+    const Masks is_known = boxes.square > 1e-30F;
+    const Masks is_beside = (gap > 0.0F) & is_known;
+    const Masks is_passed = (absolute(turn) > 1.000002F * room) & is_known;
+    const Floats none = Floats{} + std::numeric_limits<float>::infinity();
+    const Floats gap2 = is_beside ? gap * gap / boxes.square : (is_passed ? Floats{} : none);
+    const Masks counted = Masks{0, 1, 2, 3} < boxes.count;
+    const Masks near = ~(is_beside | is_passed) & counted & Masks{1, 2, 4, 8};
+    Sifted out;
+    out.near = gathered(near);
+    out.gap2_m2 = least(counted ? gap2 : none);
+    if (out.near == 0) return out;
+    const Floats along = slab_entry(s, ds, s_low, s_high);
+    const Floats across = slab_entry(n, dn, n_low, n_high);
+    const Floats entry = is_known ? larger(along, across) : Floats{};
+    std::memcpy(out.key.data(), &entry, sizeof entry);
+    return out;
+}
+
 }  // namespace
 
 Stay stay_in(const Box& box, const Way& way) {
@@ -242,53 +305,26 @@ bool overlap(const Box& a, const Box& b, double reach_m) {
 }
 
 Sifted sift(const Fan& fan, const Way& way) {
-    static_assert(sizeof(PackedExtents) == 8);
-    const Extents e = fan.extents != nullptr ? unpacked(fan.extents) : bare_segments;
-    const Pair from = pair(way.from);
-    const Pair p0 = pair(fan.points[0]);
-    const Pair p1 = pair(fan.points[1]);
-    const Pair p2 = pair(fan.points[2]);
-    const Pair p3 = pair(fan.points[3]);
-    const Pair p4 = pair(fan.points[4]);
-    const Points axis = rounded(p1 - p0, p2 - p1, p3 - p2, p4 - p3);
-    const Points w = rounded(from - p0, from - p1, from - p2, from - p3);
-    const auto by_x = static_cast<float>(way.by.x);
-    const auto by_y = static_cast<float>(way.by.y);
-    const auto reach = static_cast<float>(way.reach_m * (1.0 + 1e-6));
-    const Floats distance =
-        absolute(w.x) + absolute(w.y) + static_cast<float>(length_bound(way.by));
-    const Floats square = axis.x * axis.x + axis.y * axis.y;
-    const Floats grow = (reach + 4e-6F * distance) * (absolute(axis.x) + absolute(axis.y));
-    const Floats s = axis.x * w.x + axis.y * w.y;
-    const Floats n = axis.x * w.y - axis.y * w.x;
-    const Floats ds = axis.x * by_x + axis.y * by_y;
-    const Floats dn = axis.x * by_y - axis.y * by_x;
-    const Floats s_low = e.along_low * square - grow;
-    const Floats s_high = e.along_high * square + grow;
-    const Floats n_low = e.across_low * square - grow;
-    const Floats n_high = e.across_high * square + grow;
-    const Floats beside = larger(s_low - larger(s, s + ds), smaller(s, s + ds) - s_high);
-    const Floats off = larger(n_low - larger(n, n + dn), smaller(n, n + dn) - n_high);
-    const Floats gap = larger(beside, off);
-    const Floats turn = ds * (n_low + n_high - 2.0F * n) - dn * (s_low + s_high - 2.0F * s);
-    const Floats room = absolute(ds) * (n_high - n_low) + absolute(dn) * (s_high - s_low);
-    // An axis too short for its square says nothing, so such a box counts as near.
-    const Masks is_known = square > 1e-30F;
-    const Masks is_beside = (gap > 0.0F) & is_known;
-    const Masks is_passed = (absolute(turn) > 1.000002F * room) & is_known;
-    const Floats none = Floats{} + std::numeric_limits<float>::infinity();
-    const Floats gap2 = is_beside ? gap * gap / square : (is_passed ? Floats{} : none);
-    const Masks counted = Masks{0, 1, 2, 3} < fan.count;
-    const Masks near = ~(is_beside | is_passed) & counted & Masks{1, 2, 4, 8};
-    Sifted out;
-    out.near = gathered(near);
-    out.gap2_m2 = least(counted ? gap2 : none);
-    if (out.near == 0) return out;
-    const Floats along = slab_entry(s, ds, s_low, s_high);
-    const Floats across = slab_entry(n, dn, n_low, n_high);
-    const Floats entry = is_known ? larger(along, across) : Floats{};
-    std::memcpy(out.key.data(), &entry, sizeof entry);
+    const FourBoxes boxes = boxes_of(fan, way.from);
+    return sift_boxes(boxes, {-boxes.origin.x, -boxes.origin.y}, way, 0.0F);
+}
+
+ReadyFan ready(const Fan& fan) {
+    const Position place = fan.points[0];
+    ReadyFan out{place, boxes_of(fan, place), 0.0F};
+    for (std::size_t k = 1; k < static_cast<std::size_t>(fan.count); ++k) {
+        const double away_m = length_bound(fan.points[k] - place);
+        out.size_m = std::max(out.size_m, static_cast<float>(away_m));
+    }
     return out;
+}
+
+Sifted sift(const ReadyFan& fan, const Way& way) {
+    const Position from = way.from - fan.place;
+    const auto x = static_cast<float>(from.x);
+    const auto y = static_cast<float>(from.y);
+    const Points w{x - fan.boxes.origin.x, y - fan.boxes.origin.y};
+    return sift_boxes(fan.boxes, w, way, fan.size_m);
 }
 
 void sift_ahead(const Position* points, const PackedExtents* extents, double reach_m,

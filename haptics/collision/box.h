@@ -6,6 +6,7 @@
 #pragma once
 
 #include "config/types/vec2.h"
+#include "haptics/collision/lanes.h"
 #include "haptics/curve/segment.h"
 
 #include <algorithm>
@@ -226,6 +227,27 @@ struct Sifted {
 /// Conservative: coordinates are taken relative to the way's start before they are rounded, and the
 /// reach is widened by 4e-6 of the distance, which is more than all rounding.
 [[nodiscard]] Sifted sift(const Fan& fan, const Way& way);
+
+/// Four boxes in the frames of their segments, in single precision, relative to a place.
+struct FourBoxes {
+    lanes::Points axis;
+    lanes::Points origin;
+    lanes::Floats square;  // of the axis's length; extents are times this
+    lanes::Floats along_low, along_high, across_low, across_high;
+    int count = 0;  // boxes, 1 ... 4
+};
+
+/// A fan made ready for the ways of many queries.
+struct ReadyFan {
+    Position place;
+    FourBoxes boxes;
+    float size_m = 0.0F;  // no box begins further from the place
+};
+
+[[nodiscard]] ReadyFan ready(const Fan& fan);
+
+/// The same as for the fan, with the reach widened by 4e-6 of the fan's size too.
+[[nodiscard]] Sifted sift(const ReadyFan& fan, const Way& way);
 
 /// Which boxes of four neighbouring nodes are surely apart from those further along the outline.
 struct Apart {

@@ -227,8 +227,8 @@ KnownPieces CollisionTreeBuilder::known_pieces(Meetings meetings) && {
 }
 
 CollisionTree CollisionTreeBuilder::finish(double radius_m) && {
-    if (!tree_.roots_.empty()) lay_grid();
     const double reach_m = std::max(radius_m, contact_skin_m) + approach_tolerance_m;
+    if (!tree_.roots_.empty()) lay_grid(reach_m);
     tree_.alone_ = Crowding(tree_, curves_, reach_m).find_alone(close_);
     return std::move(tree_);
 }
@@ -337,7 +337,7 @@ double CollisionTreeBuilder::mean_edge_m() const {
 /// Puts every piece into the grid, in stretches of four nodes of the level at which they are 1
 /// mm long, or of its coarsest level. All pieces have one starting level: a query at a level
 /// coarser than a stretch's cannot start there.
-void CollisionTreeBuilder::lay_grid() {
+void CollisionTreeBuilder::lay_grid(double reach_m) {
     constexpr double node_m = 1e-3;
     const double octaves = std::ceil(std::log2(node_m / std::max(mean_edge_m(), 1e-12)));
     const auto start_level = static_cast<int>(std::clamp(octaves, 0.0, 32.0));
@@ -348,8 +348,15 @@ void CollisionTreeBuilder::lay_grid() {
         const int coarsest = curves_.piece(piece).coarsest;
         add_stretches(piece, std::min(start_level, coarsest), stretches);
     }
-    for (const Stretch& stretch : stretches) bounds.push_back(upright_shadow(stretch));
-    tree_.start_grid_ = StartGrid(std::move(stretches), bounds);
+    std::vector<StartGrid::Nodes> nodes;
+    CollisionTree::FanBuffer buffer{};
+    for (const Stretch& stretch : stretches) {
+        nodes.push_back({stretch, ready(tree_.fan(curves_, stretch, buffer))});
+        for (int j = stretch.first; j < stretch.first + stretch.count; ++j) {
+            bounds.push_back(upright_shadow({stretch.piece, stretch.level, j, 1}));
+        }
+    }
+    tree_.start_grid_ = StartGrid(std::move(nodes), bounds, reach_m);
 }
 
 CollisionTree CollisionTree::build(const CurveSet& curves, double radius_m) {

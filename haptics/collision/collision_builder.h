@@ -63,7 +63,7 @@ class CollisionTreeBuilder {
     void bound_roots(std::size_t at, std::span<Root> roots, std::size_t first);
     [[nodiscard]] Shadow upright_shadow(const Stretch& stretch) const;
     [[nodiscard]] double mean_edge_m() const;
-    void lay_grid();
+    void lay_grid(double reach_m);
 
     const CurveSet& curves_;
     CollisionTree tree_;

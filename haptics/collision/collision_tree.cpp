@@ -138,7 +138,7 @@ class FirstWall {
 
     static void spare(double /*margin_m*/) {}
 
-    [[nodiscard]] Sifted sift(const Fan& fan) const { return touchline::sift(fan, way_); }
+    [[nodiscard]] Sifted sift(const auto& fan) const { return touchline::sift(fan, way_); }
 
     [[nodiscard]] std::optional<double> near(const Box& box) const {
         return approach(box, way_).is_met ? std::optional(0.0) : std::nullopt;

@@ -20,9 +20,9 @@
 namespace touchline {
 
 // Where a walk through the collision tree starts if the motion is short: a uniform grid that says
-// for every cell which stretches of about 4 mm have a box there. A step of the hand is shorter than
-// a cell, so the walk starts next to what it may meet, however many outlines there are; the descent
-// from the top would cost more than all the rest.
+// for every cell which stretches of about 4 mm have a box in it or half a cell beside it. A step of
+// the hand is shorter than a cell, so one cell leads to all that it may meet, however many outlines
+// there are; the descent from the top would cost more than all the rest.
 
 /// Up to four neighbouring nodes of one level of a piece.
 struct Stretch {
@@ -31,62 +31,66 @@ struct Stretch {
 
 class StartGrid {
   public:
-    /// The cells that a way touches, and how far the way stays from everything outside them.
-    struct Cells {
-        int x_first, x_last, y_first, y_last;
+    /// What a way leads to, and how far it stays from everything else.
+    struct Start {
+        std::span<const std::int32_t> stretches;
         double margin_m;
+    };
+
+    /// A stretch with its nodes.
+    struct Nodes {
+        Stretch stretch;
+        ReadyFan fan;
     };
 
     StartGrid() = default;
 
-    /// `bounds` are those of each stretch, x along and y across. O(stretches + cells).
-    StartGrid(std::vector<Stretch> stretches, std::span<const Shadow> bounds);
+    /// `bounds` are those of each node of each stretch, in their order, x along and y across. For
+    /// ways that reach as far as `reach_m`. O(nodes + cells).
+    StartGrid(std::vector<Nodes> stretches, std::span<const Shadow> bounds, double reach_m);
 
-    /// Returns nothing if the way leaves the grid, or is too long to be worth it: more than nine
-    /// cells. O(1).
-    [[nodiscard]] std::optional<Cells> cells_near(const Way& way) const {
-        constexpr int most_cells = 9;
-        // Grown by a quarter of a cell, so that a way beside a border leaves a margin.
-        constexpr double grown = 0.25;
-        const double reach = way.reach_m * per_cell_m_ + grown;
-        const double x = (way.from.x - low_.x) * per_cell_m_;
-        const double y = (way.from.y - low_.y) * per_cell_m_;
-        const double to_x = x + way.by.x * per_cell_m_;
-        const double to_y = y + way.by.y * per_cell_m_;
-        const double left = std::min(x, to_x) - reach;
-        const double right = std::max(x, to_x) + reach;
-        const double bottom = std::min(y, to_y) - reach;
-        const double top = std::max(y, to_y) + reach;
-        if (!((left >= 0.0) & (right < columns_) & (bottom >= 0.0) & (top < rows_))) return {};
-        Cells cells{static_cast<int>(left), static_cast<int>(right), static_cast<int>(bottom),
-                    static_cast<int>(top), 0.0};
-        const int width = cells.x_last - cells.x_first + 1;
-        if (width * (cells.y_last - cells.y_first + 1) > most_cells) return {};
-        const double beside = std::min(left - cells.x_first, cells.x_last + 1 - right);
-        const double off = std::min(bottom - cells.y_first, cells.y_last + 1 - top);
-        cells.margin_m = (std::min(beside, off) + grown) * cell_m_;
-        return cells;
+    /// Returns nothing if the way leaves the grid, or what its cell answers for. O(1).
+    [[nodiscard]] std::optional<Start> start_of(const Way& way) const {
+        const double reach = way.reach_m * per_cell_m_;
+        const double by_x = 0.5 * way.by.x * per_cell_m_;
+        const double by_y = 0.5 * way.by.y * per_cell_m_;
+        const double x = (way.from.x - low_.x) * per_cell_m_ + by_x;
+        const double y = (way.from.y - low_.y) * per_cell_m_ + by_y;
+        if (!((x >= 0.0) & (x < columns_) & (y >= 0.0) & (y < rows_))) return {};
+        const int column = static_cast<int>(x);
+        const int row = static_cast<int>(y);
+        const double beside = 0.5 - std::abs(x - column - 0.5) - std::abs(by_x);
+        const double off = 0.5 - std::abs(y - row - 0.5) - std::abs(by_y);
+        const double margin = std::min(beside, off) + grown - reach;
+        if (!(margin > 0.0)) return {};
+        const auto cell = static_cast<std::size_t>(row * columns_ + column);
+        return Start{{items_.data() + first_item_[cell],
+                      static_cast<std::size_t>(first_item_[cell + 1] - first_item_[cell])},
+                     margin * cell_m_};
     }
 
-    [[nodiscard]] std::span<const std::int32_t> stretches_in(int x, int y) const {
-        const auto cell = static_cast<std::size_t>(y * columns_ + x);
-        return {items_.data() + first_item_[cell],
-                static_cast<std::size_t>(first_item_[cell + 1] - first_item_[cell])};
-    }
-
-    [[nodiscard]] const Stretch& stretch(std::int32_t i) const {
+    [[nodiscard]] const Nodes& nodes(std::int32_t i) const {
         return stretches_[static_cast<std::size_t>(i)];
     }
 
     [[nodiscard]] std::size_t memory_bytes() const;
 
   private:
+    static constexpr double grown = 0.5;  // cells round a cell that it answers for
+
+    struct Item {
+        std::size_t cell;
+        std::int32_t stretch;
+    };
+
+    [[nodiscard]] std::vector<Item> items_of(std::span<const Shadow> bounds) const;
+
     Position low_;
     double cell_m_ = 1.0;
     double per_cell_m_ = 1.0;
     int columns_ = 0;
     int rows_ = 0;
-    std::vector<Stretch> stretches_;
+    std::vector<Nodes> stretches_;
     std::vector<std::int32_t> first_item_;  // per cell, in items_; one more at the end
     std::vector<std::int32_t> items_;       // stretches
 };
@@ -126,7 +130,7 @@ struct TreeChildren {
     int count = 0;
 };
 
-/// With less than about 64 boxes, or a deadline of under 7 us, a motion that starts among many
+/// With less than about 128 boxes, or a deadline of under 7 us, a motion that starts among many
 /// lines may get nowhere: what the query does not look at counts as an obstacle from the start.
 struct Budget {
     int boxes = std::numeric_limits<int>::max();  // boxes that may be opened

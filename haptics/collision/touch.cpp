@@ -203,6 +203,11 @@ Seen seen_at(Position p, const Segment& from, const Segment& to, double share) {
     return {b - a, p - a};
 }
 
+/// Whether a height that changes evenly stays out of reach of 0 on one side.
+bool stays_off(double height, double rise, double reach) {
+    return std::min(height, height + rise) > reach || std::max(height, height + rise) < -reach;
+}
+
 /// Returns the shares in (0, 1] at which c0 + c1 x + c2 x^2 is 0, in order; NaN for a missing one.
 std::array<double, 2> roots(double c0, double c1, double c2) {
     std::array<double, 2> found{NAN, NAN};
@@ -244,10 +249,13 @@ std::optional<Crossing> crossing(Position from, Position to, const Segment& segm
 std::optional<Touch> touch(Position from, Position to, double radius_m, const Segment& segment) {
     if (radius_m == 0.0) return touch_point(from, to, segment);
     const Position e = segment.b - segment.a;
+    const double height = cross(e, from - segment.a);  // times the length
+    const double rise = cross(e, to - from);
+    if (stays_off(height, rise, radius_m * length_bound(e))) return {};
     const Foot below = foot(from, segment);
     // Away from a line that it lies beside, a disc only gets farther from the segment.
     const bool is_beside = below.parameter > 0.0 && below.parameter < 1.0;
-    if (is_beside && cross(e, from - segment.a) * cross(e, to - from) >= 0.0) return {};
+    if (is_beside && height * rise >= 0.0) return {};
     const double start = below.distance_m;
     if (start - radius_m > length_bound(to - from)) return {};  // too far away
     // Over many motions a tolerance would add up, so there is none once half the skin is gone, even

@@ -52,45 +52,30 @@ class TreeWalk {
     /// and the level is no coarser than the grid's.
     double run_near(const Way& way) {
         if (!(level_ <= tree_.start_level_)) return run();
-        const std::optional<StartGrid::Cells> cells = tree_.start_grid_.cells_near(way);
-        if (!cells) return run();
-        visitor_.spare(cells->margin_m);
-        return run_from(*cells);
-    }
-
-  private:
-    double run_from(const StartGrid::Cells& cells) {
-        for (int y = cells.y_first; y <= cells.y_last; ++y) {
-            for (int x = cells.x_first; x <= cells.x_last; ++x) {
-                for (const std::int32_t i : tree_.start_grid_.stretches_in(x, y)) {
-                    if (has_met(i)) continue;
-                    const Stretch& stretch = tree_.start_grid_.stretch(i);
-                    if (!visitor_.spend(stretch.count)) return 0.0;
-                    if (!start(stretch)) return 0.0;
-                }
-            }
+        const std::optional<StartGrid::Start> start = tree_.start_grid_.start_of(way);
+        if (!start) return run();
+        visitor_.spare(start->margin_m);
+        for (const std::int32_t i : start->stretches) {
+            const StartGrid::Nodes& nodes = tree_.start_grid_.nodes(i);
+            if (!visitor_.spend(nodes.stretch.count) || !walk(nodes)) return 0.0;
         }
         return INFINITY;
     }
 
-    /// Whether another cell that shares the stretch has already led to it, as far as remembered.
-    bool has_met(std::int32_t stretch) {
-        const std::size_t remembered = std::min(met_count_, met_.size());
-        for (std::size_t i = 0; i < remembered; ++i) {
-            if (met_[i] == stretch) return true;
-        }
-        met_[met_count_++ % met_.size()] = stretch;
-        return false;
+  private:
+    /// Walks a stretch of the grid and everything below it. Returns false if the budget ended.
+    bool walk(const StartGrid::Nodes& nodes) {
+        const Sifted found = sifted(nodes);
+        if (found.near == 0) return true;
+        look_up(nodes.stretch.piece);
+        first_of_fan_ = size_;
+        push_fan(found, nodes.stretch, 0.0);
+        return !std::isfinite(finish());
     }
 
-    /// Walks a stretch of the grid and everything below it. Returns false if the budget ended.
-    bool start(const Stretch& stretch) {
-        const Sifted found = visitor_.sift(tree_.fan(curves_, stretch, buffer_));
-        if (found.near == 0) return true;
-        look_up(stretch.piece);
-        first_of_fan_ = size_;
-        push_fan(found, stretch, 0.0);
-        return !std::isfinite(finish());
+    Sifted sifted(const StartGrid::Nodes& nodes) {
+        if constexpr (requires { visitor_.sift(nodes.fan); }) return visitor_.sift(nodes.fan);
+        return visitor_.sift(tree_.fan(curves_, nodes.stretch, buffer_));
     }
 
     double finish() {
@@ -255,8 +240,6 @@ class TreeWalk {
     RenderedPiece rendered_;  // of that piece
     std::size_t size_ = 0;
     std::size_t first_of_fan_ = 0;
-    std::size_t met_count_ = 0;
-    std::array<std::int32_t, 8> met_;  // the last ones
     CollisionTree::FanBuffer buffer_{};
     std::array<Entry, capacity> stack_;
 };
@@ -271,7 +254,7 @@ class FirstTouch {
     /// Boxes not looked at stay at least this far out of reach.
     void spare(double margin_m) { least_gap2_m2_ = std::min(least_gap2_m2_, margin_m * margin_m); }
 
-    Sifted sift(const Fan& fan) {
+    Sifted sift(const auto& fan) {
         const Sifted found = touchline::sift(fan, way_);
         least_gap2_m2_ = std::min(least_gap2_m2_, static_cast<double>(found.gap2_m2));
         return found;
@@ -290,9 +273,9 @@ class FirstTouch {
     void test(SegmentRef ref, const Segment& segment) {
         if (ref == motion_.excluded[0] || ref == motion_.excluded[1]) return;
         least_gap2_m2_ = 0.0;
-        tie_ = tie_of(motion_);
         const auto found = touch(motion_.from, motion_.to, motion_.radius_m, segment);
         if (!found) return;
+        tie_ = tie_of(motion_);
         if (hit_.is_hit && found->fraction > hit_.clear + tie_) return;
         const bool is_tie = hit_.is_hit && found->fraction >= hit_.clear - tie_;
         const bool is_kept = is_tie && hit_.segment < ref;
@@ -331,7 +314,7 @@ class FirstTouch {
 
     const Motion& motion_;
     Way way_;
-    double tie_ = 0.0;  // worked out at the first segment
+    double tie_ = 0.0;  // worked out at the first hit
     double least_gap2_m2_ = INFINITY;
     Hit hit_;
 };

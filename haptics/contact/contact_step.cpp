@@ -211,7 +211,7 @@ bool ContactStep::stride(const Course& course) {
         }
     }
     const Passage end = passage_after(last, step);
-    mark(end);
+    if (path_ != nullptr) mark(end);
     at.segment.index = last + step;
     at.normal = end.normal;
     const double inset = end.inset_m * outlines_.edge(at.segment).per_length_m;
@@ -289,11 +289,11 @@ bool ContactStep::lift_off(const Course& course) {
 /// From one edge of the contact's piece to the next, up the row (step 1) or down (-1).
 Passage ContactStep::passage_after(int index, int step) {
     const Contact& at = first();
-    const Segment before = outlines_.segment({at.segment.piece, index});
-    const Segment after = outlines_.segment({at.segment.piece, index + step});
     const double sign = step;
-    return passage(step > 0 ? before.b : before.a, direction_of(sign * (before.b - before.a)),
-                   direction_of(sign * (after.b - after.a)), sign * sign_of(at.side), at.offset_m);
+    const Direction before = sign * outlines_.edge({at.segment.piece, index}).along;
+    const Edge& after = outlines_.edge({at.segment.piece, index + step});
+    return passage(step > 0 ? after.segment.a : after.segment.b, before, sign * after.along,
+                   sign * sign_of(at.side), at.offset_m);
 }
 
 /// A vertex is left over its edge.
@@ -320,9 +320,8 @@ void ContactStep::mark(const Passage& passed) {
 }
 
 void ContactStep::place(Position centre) {
-    if (centre == proxy_.centre) return;
+    if (path_ != nullptr && centre != proxy_.centre) mark(centre);
     proxy_.centre = centre;
-    mark(centre);
 }
 
 void ContactStep::place_at_contact() {

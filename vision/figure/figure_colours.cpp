@@ -10,10 +10,12 @@
 namespace touchline {
 namespace {
 
-constexpr int coarse_side_px = 224;  // of the longer side
-constexpr int fine_side_px = 400;
+constexpr int coarse_side_px = 224;   // of the longer side
+constexpr int finest_side_px = 500;   // a smaller picture is not enlarged to it
 constexpr float figure_limit = 0.3F;  // of figures.h
+constexpr float just_above = 1.01F * figure_limit;
 constexpr float just_below = 0.99F * figure_limit;
+constexpr float beside_ring = 0.1F;  // a place next to the ring is that far from the limit
 // Measured on held-out photographs: tests/lab/figure_network/README.md.
 constexpr float surely_figure = 0.9F;
 constexpr float surely_ground = 0.04F;
@@ -83,6 +85,22 @@ cv::Mat drawn_finer(const cv::Mat& coarse, const cv::Mat1f& likelihood, const cv
     return fine;
 }
 
+/// Moves a likelihood to the sides of the limit that a cut says. Places on both sides of its ring
+/// are equally far from the limit, so that the ring lies in the middle between them: it would move
+/// by up to a pixel towards those nearer to the limit.
+void divide(const cv::Mat1b& figure, cv::Mat1f& likelihood) {
+    std::ranges::transform(
+        likelihood, figure, likelihood.begin(), [](float value, uchar is_figure) {
+            return is_figure != 0 ? std::max(value, just_above) : std::min(value, just_below);
+        });
+    cv::Mat inner;
+    cv::Mat outer;
+    cv::erode(figure, inner, {});
+    cv::dilate(figure, outer, {});
+    likelihood.setTo(figure_limit + beside_ring, figure & ~inner);
+    likelihood.setTo(figure_limit - beside_ring, outer & ~figure);
+}
+
 bool agree(const cv::Mat& one, const cv::Mat& other) {
     return cv::countNonZero(one & other) >= least_agreement * cv::countNonZero(one | other);
 }
@@ -94,16 +112,15 @@ cv::Mat1f drawn_by_colours(const cv::Mat1f& likelihood, float limit, const cv::M
     const cv::Mat1f seen = fitted(likelihood, small.size());
     const cv::Mat likely = seen > limit;
     const cv::Mat coarse = cut(seed_of(seen, likely), coarse_rounds, small);
+    const int fine_side_px =
+        std::clamp(std::max(picture.cols, picture.rows), coarse_side_px, finest_side_px);
     const cv::Mat3b large = copy_of(picture, fine_side_px);
     cv::Mat1f drawn = fitted(likelihood, large.size());
     cv::Mat fine;
     if (!coarse.empty() && agree(coarse, likely)) fine = drawn_finer(coarse, drawn, large);
     std::ranges::transform(drawn, drawn.begin(),
                            [limit](float value) { return at_figure_limit(value, limit); });
-    if (fine.empty()) return drawn;
-    std::ranges::transform(drawn, cv::Mat1b(fine), drawn.begin(), [](float value, uchar figure) {
-        return figure != 0 ? std::max(value, figure_limit) : std::min(value, just_below);
-    });
+    if (!fine.empty()) divide(fine, drawn);
     return drawn;
 }
 

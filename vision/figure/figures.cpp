@@ -159,7 +159,7 @@ bool is_sure_of(const FigureSigns& signs) {
 }
 
 constexpr float figure_level = 127.5F;
-constexpr double reach_mm = 1.5;  // the edge of a thing may lie off its mask
+constexpr double reach_mm = 1.0;  // the edge of a thing may lie off its mask
 constexpr double smoothing_px = 1.5;
 
 /// Returns the mask at the lines' size, with edges as smooth as the picture's.

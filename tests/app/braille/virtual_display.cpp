@@ -1,6 +1,7 @@
 #include "tests/app/braille/virtual_display.h"
 
 #include "app/braille/translation.h"
+#include "tests/app/signal_one.h"
 
 #include <algorithm>
 #include <array>
@@ -159,10 +160,10 @@ Brltty::Brltty(const fs::path& folder, const std::string& host, const std::strin
 
 void Brltty::stop() {
     if (pid_ < 0) return;
-    kill(pid_, SIGTERM);
+    signal_one(pid_, SIGTERM);
     for (int i = 0; i < 300 && waitpid(pid_, nullptr, WNOHANG) == 0; ++i)
         std::this_thread::sleep_for(10ms);
-    kill(pid_, SIGKILL);
+    signal_one(pid_, SIGKILL);
     waitpid(pid_, nullptr, 0);
     pid_ = -1;
 }

@@ -1,5 +1,7 @@
 #include "tests/app/printing/own_cups.h"
 
+#include "tests/app/signal_one.h"
+
 #include <chrono>
 #include <cstring>
 #include <fstream>
@@ -173,7 +175,7 @@ void OwnCups::start() {
 
 void OwnCups::kill() {
     if (pid_ < 0) return;
-    ::kill(pid_, SIGKILL);
+    signal_one(pid_, SIGKILL);
     waitpid(pid_, nullptr, 0);
     pid_ = -1;
 }

@@ -7,6 +7,7 @@
 #include "app/printing/cups_job.h"
 #include "tests/app/printing/own_cups.h"
 #include "tests/app/sheets/sheet_maps.h"
+#include "tests/app/signal_one.h"
 
 #include <array>
 #include <chrono>
@@ -294,7 +295,7 @@ TEST_F(PrintedMap, TI4_AskedToEndItTakesItsJobBack) {
     ASSERT_TRUE(child.has_value());
     ASSERT_TRUE(cups_.is_printing());
     const auto start = std::chrono::steady_clock::now();
-    ::kill(child->pid(), SIGTERM);
+    signal_one(child->pid(), SIGTERM);
     EXPECT_TRUE(child->ends_within(8.0));
     EXPECT_EQ(print_end_of(child->reap().status), PrintEnd::out_of_time);
     EXPECT_LT(seconds_since(start), 8.0);

@@ -124,6 +124,44 @@ struct Walk {
     }
 };
 
+/// A way of 1 nm to 10 mm that starts near a place.
+Way way_near(trials::Random& random, Position place) {
+    const Position from = place + random.decade(-9.0, -2.0) * random.direction();
+    return {from, random.decade(-9.0, -2.0) * random.direction(), random.decade(-11.0, -3.0)};
+}
+
+TEST(Boxes, AReadyFanLeavesOutOnlyWhatAWayDoesNotMeet) {
+    trials::Random random(38);
+    int met = 0;
+    int sifted = 0;
+    int missed = 0;
+    for (int trial = 0; trial < 20000; ++trial) {
+        const Walk walk(random, Fan::width);
+        const bool is_bare = random.below(2) == 0;
+        const int count = 1 + static_cast<int>(random.below(Fan::width));
+        const Fan fan{walk.points.data(), is_bare ? nullptr : walk.extents.data(), count};
+        const Way way = way_near(random, walk.points[random.below(Fan::width)]);
+        const Sifted found = sift(ready(fan), way);
+        EXPECT_EQ(found.near >> count, 0U);
+        for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
+            const Approach exact = approach(walk.box(k, is_bare), way);
+            const bool is_near = (found.near >> k & 1U) != 0;
+            met += exact.is_met ? 1 : 0;
+            sifted += is_near ? 0 : 1;
+            missed += exact.is_met && !is_near ? 1 : 0;
+            const double entry = exact.is_met ? exact.entry : 1.0;
+            if (is_near) {
+                EXPECT_LE(found.key[k], 1.0001 * entry + 1e-5);
+            } else {
+                EXPECT_LE(found.gap2_m2, 1.0001 * exact.gap2_m2);
+            }
+        }
+    }
+    EXPECT_EQ(missed, 0);
+    EXPECT_GT(met, 5000);
+    EXPECT_GT(sifted, 5000);
+}
+
 TEST(Boxes, ThoseFurtherAlongAreSiftedOutOnlyWhereTheyAreApart) {
     constexpr std::size_t fours = 8;
     trials::Random random(36);

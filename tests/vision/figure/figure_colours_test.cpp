@@ -4,6 +4,7 @@
 #include "vision/figure/figures.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
@@ -66,6 +67,23 @@ TEST(FigureColours, ARingIsDrawnAgainFiner) {
     EXPECT_GT(gaps, 30);
 }
 
+/// The likelihood is far above the limit on one side of the square and far below it on the other: a
+/// ring between such places would lie nearer to one of them.
+TEST(FigureColours, TheRingLiesHalfWayBetweenItsTwoSides) {
+    const cv::Mat1f drawn =
+        drawn_by_colours(blot(cv::Rect(22, 16, 20, 22)), limit, square_on_ground());
+    int crossings = 0;
+    for (int x = 1; x < drawn.cols; ++x) {
+        const float before = drawn(150, x - 1);
+        const float after = drawn(150, x);
+        if ((before >= 0.3F) == (after >= 0.3F)) continue;
+        ++crossings;
+        EXPECT_NEAR(0.5F * (before + after), 0.3F, 1e-5F) << x;
+        EXPECT_GT(std::abs(after - before), 0.1F) << x;
+    }
+    EXPECT_EQ(crossings, 2);
+}
+
 TEST(FigureColours, TheLimitBecomesThatOfFigures) {
     const cv::Mat3b grey(64, 64, cv::Vec3b(90, 90, 90));
     const cv::Mat1f even = drawn_by_colours(cv::Mat1f(8, 8, limit), limit, grey);
@@ -103,7 +121,7 @@ TEST(FigureColours, AreTheSameBitsAgain) {
 TEST(FigureColours, APictureOfOneRowHasALikelihoodToo) {
     const cv::Mat1f drawn =
         drawn_by_colours(blot(cv::Rect(18, 24, 24, 20)), limit, cv::Mat3b(1, 900));
-    EXPECT_EQ(drawn.size(), cv::Size(400, 1));
+    EXPECT_EQ(drawn.size(), cv::Size(500, 1));
 }
 
 }  // namespace

@@ -42,6 +42,7 @@ std::string node_bytes(const OnnxNode& node) {
                                              node.kernel[0] / 2, node.kernel[1] / 2};
         bytes += part(5, list_attribute("kernel_shape", node.kernel));
         bytes += part(5, list_attribute("pads", pads));
+        bytes += part(5, list_attribute("strides", {node.stride, node.stride}));
     }
     return bytes;
 }

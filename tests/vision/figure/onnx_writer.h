@@ -25,6 +25,7 @@ struct OnnxNode {
     std::vector<std::string> inputs;
     std::string output;
     std::vector<std::int64_t> kernel;  // a Conv's, padded to keep the size. Empty: none
+    std::int64_t stride = 1;           // of a Conv
 };
 
 struct OnnxGraph {

@@ -3,6 +3,7 @@
 // itself.
 #include "app/force/backends/inverse3.h"
 #include "tests/app/force/servo/make_kiosk.h"
+#include "tests/app/signal_one.h"
 #include "tests/machines/sim/inverse3/service_server.h"
 
 #include <algorithm>
@@ -39,7 +40,8 @@ class Inverse3Process : public testing::Test {
     }
 
     void expect_free_and_pulled_again(int signal) {
-        ASSERT_TRUE(act_while_pulling([&] { kill(kiosk_.servo(), signal); })) << kiosk_.told();
+        ASSERT_TRUE(act_while_pulling([&] { signal_one(kiosk_.servo(), signal); }))
+            << kiosk_.told();
         EXPECT_TRUE(kiosk_.looks_until([&] {
             return server_.with(
                 [](ServiceEmulator& service) { return service.applied_N() == Space{}; });

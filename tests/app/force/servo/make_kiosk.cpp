@@ -1,5 +1,7 @@
 #include "tests/app/force/servo/make_kiosk.h"
 
+#include "tests/app/signal_one.h"
+
 #include <csignal>
 #include <fstream>
 #include <iterator>
@@ -32,7 +34,7 @@ MakeKiosk::~MakeKiosk() {
     const pid_t last = servo();
     kiosk_->kill();
     (void)kiosk_->reap();
-    if (last != 0) kill(last, SIGKILL);
+    if (last != 0) signal_one(last, SIGKILL);
     while (waitpid(-1, nullptr, 0) > 0) {
     }
     std::filesystem::remove(told_);

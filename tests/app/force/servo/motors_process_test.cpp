@@ -3,6 +3,7 @@
 // stands still while they do, so that a busy machine changes nothing.
 #include "app/force/backends/motors.h"
 #include "tests/app/force/servo/make_kiosk.h"
+#include "tests/app/signal_one.h"
 #include "tests/machines/sim/drives/drive_rig.h"
 #include "tests/machines/sim/drives/real_time_hosts.h"
 #include "tests/machines/sim/drives/shared_peer.h"
@@ -108,8 +109,8 @@ class MotorsProcess : public testing::Test {
     /// gets the signal.
     void expect_free_without_a_guard(int signal) {
         const auto from_s = end_while_pulling([&] {
-            kill(kiosk_->pid(), SIGSTOP);
-            kill(kiosk_->servo(), signal);
+            signal_one(kiosk_->pid(), SIGSTOP);
+            signal_one(kiosk_->servo(), signal);
         });
         ASSERT_TRUE(from_s);
         expect_free_for_good(*from_s);
@@ -117,7 +118,7 @@ class MotorsProcess : public testing::Test {
 
     /// The guard starts another servo, which has the motors tried anew before any force.
     void expect_a_new_trial(int signal) {
-        const auto from_s = end_while_pulling([&] { kill(kiosk_->servo(), signal); });
+        const auto from_s = end_while_pulling([&] { signal_one(kiosk_->servo(), signal); });
         ASSERT_TRUE(from_s);
         const int tries = tries_;
         ASSERT_TRUE(kiosk_->looks_until([&] { return tries_ > tries; })) << kiosk_->told();

@@ -2,6 +2,7 @@
 // said, the way back, nothing left behind. Times are reported but not judged;
 // tests/machines/sim/loop tests the rules on a virtual clock.
 #include "tests/app/force/servo/process_rig.h"
+#include "tests/app/signal_one.h"
 #include "tests/machines/sim/fault_lines.h"
 
 #include <array>
@@ -37,22 +38,22 @@ void PrintTo(const ProcessFaultKind& kind, std::ostream* out) {
 
 const std::vector<ProcessFaultKind> kinds{
     {"kiosk killed", Ends::kiosk,
-     [](FakeBoard&, pid_t kiosk, std::uint64_t) { kill(kiosk, SIGKILL); }, ""},
+     [](FakeBoard&, pid_t kiosk, std::uint64_t) { signal_one(kiosk, SIGKILL); }, ""},
     {"kiosk crashed", Ends::kiosk,
-     [](FakeBoard&, pid_t kiosk, std::uint64_t) { kill(kiosk, SIGSEGV); }, ""},
+     [](FakeBoard&, pid_t kiosk, std::uint64_t) { signal_one(kiosk, SIGSEGV); }, ""},
     {"kiosk frozen", Ends::neither,
-     [](FakeBoard&, pid_t kiosk, std::uint64_t) { kill(kiosk, SIGSTOP); }, ""},
+     [](FakeBoard&, pid_t kiosk, std::uint64_t) { signal_one(kiosk, SIGSTOP); }, ""},
     {"kiosk's main thread hangs", Ends::neither,
-     [](FakeBoard&, pid_t kiosk, std::uint64_t) { kill(kiosk, SIGUSR2); }, ""},
+     [](FakeBoard&, pid_t kiosk, std::uint64_t) { signal_one(kiosk, SIGUSR2); }, ""},
     {"servo killed", Ends::servo,
-     [](FakeBoard& board, pid_t, std::uint64_t) { kill(board.owner, SIGKILL); },
+     [](FakeBoard& board, pid_t, std::uint64_t) { signal_one(board.owner, SIGKILL); },
      "the servo ended with signal", &FakeBoard::zeroed_by_guard},
     {"servo frozen", Ends::servo,
-     [](FakeBoard& board, pid_t, std::uint64_t) { kill(board.owner, SIGSTOP); },
+     [](FakeBoard& board, pid_t, std::uint64_t) { signal_one(board.owner, SIGSTOP); },
      "the servo ended with signal", &FakeBoard::zeroed_by_guard},
     {"servo crashed beside its loop", Ends::servo,
      [](FakeBoard& board, pid_t, std::uint64_t seed) {
-         kill(board.owner, crash_signals[seed % crash_signals.size()]);
+         signal_one(board.owner, crash_signals[seed % crash_signals.size()]);
      },
      "the servo ended with signal", &FakeBoard::zeroed_by_handler},
     {"the loop itself crashed", Ends::servo,
@@ -64,7 +65,7 @@ const std::vector<ProcessFaultKind> kinds{
      [](FakeBoard& board, pid_t, std::uint64_t) { board.mischief = Mischief::spin; },
      "the servo ended with signal", &FakeBoard::zeroed_by_guard},
     {"servo asked to end", Ends::servo,
-     [](FakeBoard& board, pid_t, std::uint64_t) { kill(board.owner, SIGTERM); }, ""},
+     [](FakeBoard& board, pid_t, std::uint64_t) { signal_one(board.owner, SIGTERM); }, ""},
 };
 
 class ProcessFault : public ProcessRig, public testing::WithParamInterface<ProcessFaultKind> {
@@ -90,7 +91,7 @@ class ProcessFault : public ProcessRig, public testing::WithParamInterface<Proce
             EXPECT_TRUE(wait_until([&] { return board_.opened > opened_before_; }));
             EXPECT_FALSE(is_there(servo));  // not even a zombie
         } else {
-            kill(kiosk_, SIGCONT);
+            signal_one(kiosk_, SIGCONT);
         }
     }
 

@@ -2,6 +2,7 @@
 // wall clock.
 #include "tests/app/force/servo/process_rig.h"
 #include "tests/app/force/servo/stepped_clock.h"
+#include "tests/app/signal_one.h"
 #include "tests/machines/sim/fault_lines.h"
 
 #include <algorithm>
@@ -60,7 +61,7 @@ class FullDisk : public Harmless {
     /// Asks for a recording and returns what is said about it.
     std::string words_of_recording() {
         std::string words;
-        kill(kiosk_, SIGUSR1);
+        signal_one(kiosk_, SIGUSR1);
         EXPECT_TRUE(wait_until([&] { return !(words += new_words()).empty(); }));
         return words;
     }

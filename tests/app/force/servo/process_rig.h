@@ -5,6 +5,7 @@
 #include "config/types/steady_clock.h"
 #include "tests/app/force/servo/fake_board.h"
 #include "tests/app/force/servo/mapped_file.h"
+#include "tests/app/signal_one.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -47,8 +48,8 @@ class ProcessRig : public testing::Test {
 
     ~ProcessRig() override {
         if (kiosk_ != 0) end_kiosk(SIGKILL);
-        if (listener_ != 0) kill(listener_, SIGKILL);
-        if (board_.owner != 0) kill(board_.owner, SIGKILL);
+        if (listener_ != 0) signal_one(listener_, SIGKILL);
+        if (board_.owner != 0) signal_one(board_.owner, SIGKILL);
         while (waitpid(-1, nullptr, 0) > 0) {
         }
         std::filesystem::remove(path_);
@@ -63,8 +64,8 @@ class ProcessRig : public testing::Test {
 
     /// Ends the kiosk and returns its status.
     int end_kiosk(int signal) {
-        kill(kiosk_, signal);
-        kill(kiosk_, SIGCONT);
+        signal_one(kiosk_, signal);
+        signal_one(kiosk_, SIGCONT);
         int status = 0;
         waitpid(std::exchange(kiosk_, 0), &status, 0);
         return status;

@@ -8,6 +8,7 @@
 #include "app/isolation/process/child.h"
 #include "config/types/map_bytes.h"
 #include "tests/app/force/servo/process_rig.h"
+#include "tests/app/signal_one.h"
 #include "tests/audio-cues/words/po_file.h"
 
 #include <atomic>
@@ -74,7 +75,7 @@ class HandedOver : public ProcessRig {
     /// Kills the servo with this number while it makes force, and waits for the next.
     void kill_servo(int number) {
         ASSERT_TRUE(press_on_servo(number));
-        kill(board_.owner, SIGKILL);
+        signal_one(board_.owner, SIGKILL);
         ASSERT_TRUE(wait_until([&] { return board_.opened > number && board_.reads > 0; }));
     }
 };

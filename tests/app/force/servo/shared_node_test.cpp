@@ -6,6 +6,7 @@
 #include "app/force/servo/usb_search.h"
 #include "app/isolation/process/child.h"
 #include "config/types/pinned.h"
+#include "tests/app/signal_one.h"
 #include "tests/machines/sim/board/board_rig.h"
 #include "tests/machines/sim/fault_lines.h"
 #include "tests/machines/sim/umockdev/mocked_board.h"
@@ -64,7 +65,7 @@ class OtherWork : private Pinned {
 
     ~OtherWork() {
         for (const pid_t child : children_) {
-            kill(child, SIGKILL);
+            signal_one(child, SIGKILL);
             waitpid(child, nullptr, 0);
         }
     }
@@ -144,7 +145,7 @@ class SharedNode : public testing::TestWithParam<Death> {
         std::thread([&] {
             become_hardware();
             board_->with([&](BoardEmulator& board, UsbFaults&) { now_s = board.now_s(); });
-            kill(pid, signal);
+            signal_one(pid, signal);
         }).join();
         return now_s;
     }

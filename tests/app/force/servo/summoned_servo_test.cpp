@@ -1,6 +1,7 @@
 // Tests a servo that another program starts when the kiosk asks at a socket, as systemd does with a
 // separate unit: whatever ends kiosk or servo leads to zero torque and another servo.
 #include "tests/app/force/servo/process_rig.h"
+#include "tests/app/signal_one.h"
 
 #include <csignal>
 #include <string>
@@ -41,19 +42,19 @@ TEST_F(SummonedServo, MakesForceAndEndsAsAsked) {
 }
 
 TEST_F(SummonedServo, KilledIsZeroedByTheGuardAndAskedForAgain) {
-    (void)ms_to_zero([&] { kill(servo_, SIGKILL); });
+    (void)ms_to_zero([&] { signal_one(servo_, SIGKILL); });
     expect_another("the servo ended with no farewell; the torque was zeroed");
     EXPECT_EQ(board_.zeroed_by_guard, 1);
 }
 
 TEST_F(SummonedServo, FrozenIsKilledByTheGuardThoughItIsNoChildOfIts) {
-    (void)ms_to_zero([&] { kill(servo_, SIGSTOP); });
+    (void)ms_to_zero([&] { signal_one(servo_, SIGSTOP); });
     expect_another("the servo ended with no farewell; the torque was zeroed");
     EXPECT_EQ(board_.zeroed_by_guard, 1);
 }
 
 TEST_F(SummonedServo, CrashedZeroesByItsHandler) {
-    (void)ms_to_zero([&] { kill(servo_, SIGSEGV); });
+    (void)ms_to_zero([&] { signal_one(servo_, SIGSEGV); });
     expect_another("the servo ended with no farewell");
     EXPECT_GE(board_.zeroed_by_handler, 1);
 }
@@ -66,15 +67,15 @@ TEST_F(SummonedServo, EndsWithZeroTorqueWhenItsKioskIsKilled) {
 }
 
 TEST_F(SummonedServo, FadesWhenItsKioskIsFrozen) {
-    (void)ms_to_zero([&] { kill(kiosk_, SIGSTOP); });
-    kill(kiosk_, SIGCONT);
+    (void)ms_to_zero([&] { signal_one(kiosk_, SIGSTOP); });
+    signal_one(kiosk_, SIGCONT);
     EXPECT_TRUE(press());
     EXPECT_EQ(board_.owner, servo_);
 }
 
 TEST_F(SummonedServo, NobodyThereIsSaidAndTriedAgain) {
     EXPECT_EQ(end_kiosk(SIGTERM), 0);
-    kill(listener_, SIGKILL);
+    signal_one(listener_, SIGKILL);
     waitpid(listener_, nullptr, 0);
     start_kiosk();
     std::string said;

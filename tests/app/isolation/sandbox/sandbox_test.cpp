@@ -2,6 +2,7 @@
 #include "app/isolation/sandbox/sandbox.h"
 
 #include "tests/app/isolation/sandbox/acts.h"
+#include "tests/app/signal_one.h"
 
 #include <csignal>
 #include <filesystem>
@@ -213,7 +214,7 @@ TEST_F(SandboxAlone, GoesBeforeAllOthersWhenMemoryIsShort) {
             usleep(1000);
         }
         EXPECT_EQ(score, 1000) << static_cast<int>(kind);
-        kill(pid, SIGKILL);
+        signal_one(pid, SIGKILL);
         waitpid(pid, nullptr, 0);
     }
 }

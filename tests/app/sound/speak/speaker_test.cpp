@@ -1,5 +1,6 @@
 #include "app/sound/speak/speaker.h"
 
+#include "tests/app/signal_one.h"
 #include "tests/audio-cues/spectrum.h"
 #include "tests/audio-cues/wav_bytes.h"
 #include "tests/config/scratch_folder.h"
@@ -115,7 +116,7 @@ TEST_F(SpeakerTest, AKilledVoiceIsNotHeard) {
     const auto ten_seconds = [&](bool is_killed) {
         speaker.say(text(minutes), now_s_);
         wait_for_sound();
-        if (is_killed) kill(speaker.voice().pid(), SIGKILL);
+        if (is_killed) signal_one(speaker.voice().pid(), SIGKILL);
         std::vector<float> sound;
         for (int i = 0; i < 625; ++i) {
             // This clock is faster than the process: it waits where nobody else would have to.

@@ -1,6 +1,7 @@
 #include "app/sound/speak/speaker.h"
 #include "audio-cues/speech/espeak_engine.h"
 #include "config/types/steady_clock.h"
+#include "tests/app/signal_one.h"
 
 #include <csignal>
 #include <cstdio>
@@ -85,7 +86,7 @@ TEST(VoiceProcess, KilledInMidSentenceItGoesOnWhereItWas) {
     for (int deaths = 0; deaths < 2; ++deaths) {
         receive(voice, samples, samples.size() + 50000);
         ASSERT_FALSE(voice.is_done());
-        kill(voice.pid(), SIGKILL);
+        signal_one(voice.pid(), SIGKILL);
         const std::int64_t killed_ns = steady_now_ns();
         const int before = voice.restarts();
         while (voice.restarts() == before) voice.receive(0.0, samples);
@@ -131,7 +132,7 @@ TEST(VoiceProcess, DiedWhileIdleItIsStartedForTheNextText) {
     std::vector<float> samples = all_of(voice);
     voice.receive(0.0, samples);  // started in advance
     ASSERT_GT(voice.pid(), 0);
-    kill(voice.pid(), SIGKILL);
+    signal_one(voice.pid(), SIGKILL);
     voice.begin("en", "Two.", slow);
     EXPECT_EQ(all_of(voice), expected("en", "Two.", slow));
 }
@@ -145,7 +146,7 @@ std::vector<bool> waits_before_kills(VoiceProcess& voice, int kills, double now_
         waits.push_back(voice.pid() > 0);
         if (voice.pid() < 0) break;
         const pid_t dead = voice.pid();
-        kill(dead, SIGKILL);
+        signal_one(dead, SIGKILL);
         while (voice.pid() == dead) voice.receive(now_s, samples);
     }
     return waits;
@@ -191,7 +192,7 @@ TEST(VoiceProcess, AProcessThatIsSilentTooLongIsStartedAnew) {
     std::vector<float> samples;
     receive(voice, samples, 10000);
     const pid_t first = voice.pid();
-    kill(first, SIGSTOP);
+    signal_one(first, SIGSTOP);
     for (int i = 0; i < 100 && voice.pid() == first; ++i) voice.receive(0.1 * i, samples);
     EXPECT_EQ(voice.restarts(), 1);
     receive(voice, samples, static_cast<std::size_t>(-1));

@@ -4,7 +4,7 @@
 // vision/contour/main_shape.h). PICTURES/NAME.jpg with PICTURES/NAME-human1.png
 // ... (boundaries), TRUTHS/NAME.png (128 and more: the thing). Prints a row of CSV; the memory is
 // that of this process. EACH gets a row more for each picture: way, name, overlap, ring on a
-// boundary, contrast.
+// boundary, contrast, felt ring on a boundary (as with_figure draws it).
 // figures_bench --none PICTURES WAY: in pictures without a main thing; prints how many there are,
 // in how many one is claimed, and in how many surely.
 #include "vision/figure/figures.h"
@@ -12,6 +12,7 @@
 #include "app/documents/models/networks.h"
 #include "tests/lab/bench/vision/pictures.h"
 #include "vision/contour/main_shape.h"
+#include "vision/contour/photo_lines.h"
 #include "vision/contour/rings.h"
 #include "vision/figure/figure_network.h"
 #include "vision/figure/small_figure_network.h"
@@ -37,10 +38,12 @@ namespace touchline::bench {
 namespace {
 
 constexpr float near_px = 2.0F;
+constexpr double sheet_mm = 116.0;  // of the longer side
 
 struct Score {
     double overlap = 0.0;         // intersection over union
     double ring_precision = 0.0;  // of the ring, within two pixels of a boundary that somebody drew
+    double felt_precision = 0.0;  // of the ring after it is drawn onto edges
     double ms = 0.0;
     double contrast = 0.0;
     bool is_sure = false;
@@ -57,26 +60,49 @@ double overlap_of(const cv::Mat& found, const cv::Mat& truth) {
            std::max(1, cv::countNonZero(found | truth));
 }
 
-/// Points on the picture's frame are not a boundary of anything.
-double precision_of(const cv::Mat& found, const std::vector<cv::Mat1b>& annotators) {
-    cv::Mat1b free(found.size(), uchar{255});
+/// Returns the share of some places that lie near a boundary which somebody drew. Places on the
+/// picture's frame do not count: they are not a boundary of anything.
+double near_share(const std::vector<cv::Point2d>& places, const std::vector<cv::Mat1b>& annotators,
+                  cv::Size size) {
+    cv::Mat1b free(size, uchar{255});
     for (const cv::Mat1b& boundary : annotators) free.setTo(0, boundary);
     cv::Mat1f distance;
     cv::distanceTransform(free, distance, cv::DIST_L2, 5);
-    cv::Mat1f soft;
-    found.convertTo(soft, CV_32F);
     int near = 0;
     int all = 0;
-    const cv::Rect inner(2, 2, found.cols - 4, found.rows - 4);
-    for (const Chain& ring : iso_rings(soft, 127.5F)) {
-        for (const EdgePoint& p : ring.points) {
-            const cv::Point at(cvRound(p.at.x), cvRound(p.at.y));
-            if (!inner.contains(at)) continue;
-            ++all;
-            near += distance(at) <= near_px ? 1 : 0;
-        }
+    const cv::Rect inner(2, 2, size.width - 4, size.height - 4);
+    for (const cv::Point2d& place : places) {
+        const cv::Point at(cvRound(place.x), cvRound(place.y));
+        if (!inner.contains(at)) continue;
+        ++all;
+        near += distance(at) <= near_px ? 1 : 0;
     }
     return static_cast<double>(near) / std::max(1, all);
+}
+
+std::vector<cv::Point2d> rings_of(const cv::Mat& found) {
+    cv::Mat1f soft;
+    found.convertTo(soft, CV_32F);
+    std::vector<cv::Point2d> places;
+    for (const Chain& ring : iso_rings(soft, 127.5F)) {
+        for (const EdgePoint& p : ring.points) places.push_back(p.at);
+    }
+    return places;
+}
+
+/// Returns the places of the rings that a hand is given, in the picture's pixels.
+std::vector<cv::Point2d> felt_rings_of(const cv::Mat3b& picture, const cv::Mat1b& mask) {
+    const PhotoLines lines = with_figure(photo_lines(picture, sheet_mm), picture, mask, sheet_mm);
+    const cv::Point2d scale(static_cast<double>(picture.cols) / lines.size.width,
+                            static_cast<double>(picture.rows) / lines.size.height);
+    std::vector<cv::Point2d> places;
+    for (const Chain& line : lines.chains) {
+        if (line.of != LineOf::ring) continue;
+        for (const EdgePoint& p : line.points) {
+            places.emplace_back(scale.x * (p.at.x + 0.5) - 0.5, scale.y * (p.at.y + 0.5) - 0.5);
+        }
+    }
+    return places;
 }
 
 /// Finds the main things of a picture.
@@ -87,9 +113,15 @@ Result<Score> score_of(const MarkedPicture& picture, const cv::Mat& truth, const
     const auto figures = way(picture.picture);
     if (!figures) return tl::unexpected(figures.error());
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
-    const cv::Mat found = at_size(figures->mask, picture.picture.size());
-    return Score{overlap_of(found, truth), precision_of(found, picture.annotators), took.count(),
-                 figures->signs.contrast, figures->is_sure};
+    const cv::Size size = picture.picture.size();
+    const cv::Mat found = at_size(figures->mask, size);
+    const auto felt = felt_rings_of(picture.picture, figures->mask);
+    return Score{overlap_of(found, truth),
+                 near_share(rings_of(found), picture.annotators, size),
+                 near_share(felt, picture.annotators, size),
+                 took.count(),
+                 figures->signs.contrast,
+                 figures->is_sure};
 }
 
 Figures figures_by_colours(const cv::Mat3b& picture) {
@@ -159,9 +191,11 @@ void print(const std::string& way, const std::vector<Score>& scores) {
     getrusage(RUSAGE_SELF, &usage);
     const auto overlap = [](const Score& score) { return score.overlap; };
     const auto precision = [](const Score& score) { return score.ring_precision; };
-    std::printf("%s,%zu,%.3f,%.3f,%zu,%.3f,%.3f,%.0f,%ld\n", way.c_str(), scores.size(),
+    const auto felt = [](const Score& score) { return score.felt_precision; };
+    std::printf("%s,%zu,%.3f,%.3f,%zu,%.3f,%.3f,%.0f,%ld,%.3f,%.3f\n", way.c_str(), scores.size(),
                 mean(scores, overlap), middle(overlaps), sure.size(), mean(sure, precision),
-                mean(others, precision), middle(times), usage.ru_maxrss / 1024);
+                mean(others, precision), middle(times), usage.ru_maxrss / 1024, mean(sure, felt),
+                mean(others, felt));
 }
 
 Result<void> measure(const std::string& pictures, const std::string& truths,
@@ -177,7 +211,7 @@ Result<void> measure(const std::string& pictures, const std::string& truths,
         if (!score) return tl::unexpected(score.error());
         scores.push_back(*score);
         rows << name << ',' << picture.name << ',' << score->overlap << ',' << score->ring_precision
-             << ',' << score->contrast << '\n';
+             << ',' << score->contrast << ',' << score->felt_precision << '\n';
     }
     print(name, scores);
     return {};
