@@ -16,12 +16,14 @@ constexpr std::size_t most_peaks = 64;
 // A colour this near to a common one may be a ripple of it.
 constexpr float near_colour_levels = 45.0F;
 constexpr double least_over_near = 0.006;  // of the common colour's pixels
+constexpr double least_running = 0.25;     // of its own pixels; a ripple's are spots
 constexpr double least_ink_part = 0.0005;  // of the picture
 constexpr float flat_levels = 6.0F;        // grey levels across two pixels
 
 struct Bin {
     cv::Vec3f sum;
     int count = 0;
+    int running = 0;  // of these, as far as asked, pixels from which it goes on to both sides
 };
 
 int cell(float value, float low, float size, int n) {
@@ -48,6 +50,16 @@ bool is_plain(const LabPicture& lab, const cv::Point& at, const cv::Point& along
     return alike(-1, 1) || (alike(0, 1) && alike(-1, 2)) || (alike(0, -1) && alike(1, -2));
 }
 
+/// Returns whether a pixel is part of an area or of a line along one of four directions.
+bool runs_on(const LabPicture& lab, const cv::Point& at, float flat) {
+    constexpr std::array<std::array<int, 2>, 4> ways{{{1, 0}, {0, 1}, {1, 1}, {1, -1}}};
+    return std::ranges::any_of(ways, [&](const std::array<int, 2>& way) {
+        const cv::Point along(way[0], way[1]);
+        return squared(lab(at + along) - lab(at)) < flat * flat &&
+               squared(lab(at - along) - lab(at)) < flat * flat;
+    });
+}
+
 /// Counts the colours of pixels that are not mixtures.
 std::vector<Bin> histogram(const LabPicture& lab, double noise) {
     std::vector<Bin> bins(static_cast<std::size_t>(colour_bins * colour_bins * colour_bins));
@@ -58,6 +70,7 @@ std::vector<Bin> histogram(const LabPicture& lab, double noise) {
                 Bin& bin = bins[bin_of(lab(y, x))];
                 bin.sum += lab(y, x);
                 ++bin.count;
+                if (3 * bin.running < bin.count && runs_on(lab, {x, y}, flat)) ++bin.running;
             }
         }
     }
@@ -72,6 +85,7 @@ Bin around(const std::vector<Bin>& filled, const cv::Vec3f& colour) {
             same_colour_levels * same_colour_levels) {
             all.sum += bin.sum;
             all.count += bin.count;
+            all.running += bin.running;
         }
     }
     return all;
@@ -81,17 +95,14 @@ cv::Vec3f mean_of(const Bin& bin) {
     return bin.sum * (1.0F / static_cast<float>(bin.count));
 }
 
-/// Returns how many pixels make a colour: more near a common one, whose blur and compression look
-/// like it.
-double least_count(const Bin& peak, const std::vector<Bin>& found, double least) {
-    double most = found.empty() ? 1.0 : std::max(1.0, least);
-    for (const Bin& common : found) {
-        if (peak.count > 0 &&
-            squared(mean_of(peak) - mean_of(common)) < near_colour_levels * near_colour_levels) {
-            most = std::max(most, least_over_near * common.count);
-        }
-    }
-    return most;
+/// Returns whether a colour is what blur or compression makes of one that is known: near to a much
+/// commoner one, or near to it and in spots.
+bool is_ripple(const Bin& peak, const std::vector<Bin>& found) {
+    return std::ranges::any_of(found, [&](const Bin& common) {
+        return squared(mean_of(peak) - mean_of(common)) < near_colour_levels * near_colour_levels &&
+               (peak.count < least_over_near * common.count ||
+                peak.running < least_running * peak.count);
+    });
 }
 
 std::size_t first_of(std::vector<Run>& runs, std::size_t i) {
@@ -228,7 +239,8 @@ std::vector<cv::Vec3f> palette_of(const LabPicture& lab, double noise) {
     while (!filled.empty() && found.size() < most_peaks) {
         Bin peak = around(filled, mean_of(filled.front()));
         peak = around(filled, mean_of(peak));  // one step uphill
-        if (peak.count < least_count(peak, found, least)) {
+        const double enough = found.empty() ? 1.0 : std::max(1.0, least);
+        if (peak.count < enough || is_ripple(peak, found)) {
             filled.erase(filled.begin());
             if (filled.empty() || filled.front().count < least / 16.0) break;
             continue;

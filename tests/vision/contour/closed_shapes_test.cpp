@@ -70,6 +70,29 @@ TEST(ClosedShapes, GlyphsHaveTheirRings) {
     EXPECT_GE(asked, 190);
 }
 
+// Compression makes grey spots in black ink, which are no colour of their own.
+TEST(ClosedShapes, SmallLettersOfAJpegHaveTheirRings) {
+    int asked = 0;
+    for (const double size_px : {70.0, 95.0}) {
+        for (const char letter : std::string("AKMYZgkox27@?")) {
+            for (const double shift_px : {0.0, 1.7, 3.4}) {
+                SCOPED_TRACE(letter + std::to_string(size_px) + " px, " + std::to_string(shift_px));
+                const int side = static_cast<int>(1.6 * size_px);
+                Canvas canvas({side, side}, {255, 255, 255});
+                canvas.write(std::string(1, letter), {0.2 * side + shift_px, 0.7 * side + shift_px},
+                             {"DejaVu Serif", size_px, true, false}, {0, 0, 0});
+                const int rings = rings_in(canvas.picture());
+                if (rings_in(canvas.picture(), 60) != rings ||
+                    rings_in(canvas.picture(), 195) != rings)
+                    continue;
+                ++asked;
+                expect_rings(testing::seen(canvas.picture(), {.jpeg_quality = 50}), rings);
+            }
+        }
+    }
+    EXPECT_GE(asked, 70);
+}
+
 TEST(ClosedShapes, ClipArtHasItsRings) {
     for (int kind = 0; kind < 36; ++kind) {
         SCOPED_TRACE("kind " + std::to_string(kind));
