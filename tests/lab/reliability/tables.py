@@ -115,7 +115,8 @@ def listed(numbers):
 
 def words_of(ends):
     of = {end: [row for row, e in ends.items() if e == end] for end in ('yes', 'no', 'in part', 'published', UNMEASURED)}
-    return (f'Of {len(ends)} rows of figures {len(of["yes"])} reach their bar and {len(of["no"])} do not{listed(of["no"])}. '
+    does = 'does' if len(of['no']) == 1 else 'do'
+    return (f'Of {len(ends)} rows of figures {len(of["yes"])} reach their bar and {len(of["no"])} {does} not{listed(of["no"])}. '
             f'In part: {len(of["in part"])}{listed(of["in part"])}; told without a bar: {len(of["published"])}; not measured yet: {len(of[UNMEASURED])}'
             f'{listed(of[UNMEASURED])}.')
 

@@ -24,6 +24,8 @@ END {
     printf "by speed, %s and %s at level 0; the plain proxy over a grid takes %s and %s. By the 99th percentile Touchline with\n", \
         short(median[exact, n]), short(p99[exact, n]), short(median[grid, n]), short(p99[grid, n])
     printf "the level by speed is %s.\n", times(p99[grid, n] / p99[own, n])
+    printf "By the 99th percentile the grid is faster than level 0 at %s edges, and than the level by speed at %s.\n", \
+        slower_than_grid(exact), slower_than_grid(own)
     if (curve == "radial") check_grid()
 }
 
@@ -43,6 +45,14 @@ function check_grid(    k, n, timer, tree, today) {
         printf "%s%.2f at %d edges", (k > 1 ? ", " : ""), (median[grid, n] - timer) / (other_grid[k] - 24) / today, n
     }
     print ". At most 1.2 is wanted."
+}
+
+function slower_than_grid(name,    k, n, list) {
+    for (k = 1; k <= columns; k++) {
+        n = listed[k]
+        if (p99[name, n] > p99[grid, n]) list = list (list == "" ? "" : ", ") n
+    }
+    return list == "" ? "no number of" : list
 }
 
 function times(ratio) {

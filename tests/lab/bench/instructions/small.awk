@@ -24,14 +24,11 @@ FNR > 2 {
     if (field("lines_max") > lines) lines = field("lines_max")
 }
 
-function fits(row) {
-    return sprintf("%.1f MHz, %s", needed[row], needed[row] <= paper_MHz ? "which it has" : "more than it has")
-}
-
 END {
     printf "\nIn words: the paper's handle controller, a transputer of %d MHz at %d Hz, has %d clocks a step. ", paper_MHz, paper_Hz, \
         paper_MHz * 1e6 / paper_Hz
-    printf "At half an instruction a clock it\nwould need %s, for the costliest step with the level by speed on 512 edges, and %s, on 65536.\n", \
-        fits("auto 512"), fits("auto 65536")
+    printf "At half an instruction a clock\nthe costliest step with the level by speed needs %.1f MHz on 512 edges and %.1f on 65536: %s.\n", \
+        needed["auto 512"], needed["auto 65536"], \
+        needed["auto 512"] <= paper_MHz && needed["auto 65536"] <= paper_MHz ? "it has them" : "more than it has"
     printf "No counted step touches more than %d cache lines, %.1f kB of code and data.\nCounted %s.\n", lines, lines * 64 / 1000, machine
 }
