@@ -135,6 +135,7 @@ struct TreeChildren {
 struct Budget {
     int boxes = std::numeric_limits<int>::max();  // boxes that may be opened
     std::int64_t deadline_ns = 0;  // on the steady clock, by which to return; 0: none
+    int walks = 256;               // edges that a proxy may slide along; a query needs none
 };
 
 /// Keeps a query within its budget: counts boxes; reads the clock only if a deadline is set.
@@ -224,7 +225,7 @@ struct Clearance {
 
 class CollisionTree {
   public:
-    /// O(N log N).
+    /// O(N log N). A query takes O(boxes that it opens): log N where lines are apart, at worst N.
     [[nodiscard]] static CollisionTree build(const CurveSet& curves, double radius_m);
 
     /// Finds the first moment at which the disc touches a segment that it is approaching. A segment

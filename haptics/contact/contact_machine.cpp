@@ -257,7 +257,8 @@ int ContactMachine::change_level(double level, Position handle, const ContactSet
         is_at_once = found.is_clear;
     }
     if (!is_at_once) {
-        const Budget left{budget.boxes - boxes, budget.deadline_ns};
+        Budget left = budget;
+        left.boxes -= boxes;
         return boxes + move_wall(level, handle, settings, left, dt_s);
     }
     outlines_ = RenderedOutlines(outlines_.scene(), level);

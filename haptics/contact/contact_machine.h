@@ -154,10 +154,8 @@ class PopThrough {
     Position place_;  // of the proxy when the push began
 };
 
-inline constexpr int max_walks = 256;            // edges slid along in a step
-inline constexpr int max_tree_queries = 4;       // in a step; as many again where a disc rounds
-                                                 // vertices among other lines
-inline constexpr int max_moves = 4 * max_walks;  // walks, arcs and changes of state in a step
+inline constexpr int max_tree_queries = 4;  // in a step; as many again where a disc rounds
+                                            // vertices among other lines
 
 /// The result of one step.
 struct ContactReport {
@@ -196,11 +194,12 @@ class ContactMachine {
     /// else by at most half an octave and 0.015 N a tick, as a motion of the wall that takes the
     /// proxy along (moving_wall.cpp). It waits if there is no place for the proxy or the energy
     /// account does not cover it.
-    /// Then the proxy moves towards the handle, with at most 256 walks and 4 tree queries; the rest
-    /// of the way is carried to the next tick. |handle - proxy| never grows by that. A handle that
-    /// is not finite gives zero force and moves nothing. For the other modes see Groove::step(). A
-    /// new mode takes over at once, a wall with the proxy at the handle, and the force fades over
-    /// (GapFade). After that, and after a pop through, the proxy is as small as the place is.
+    /// Then the proxy moves towards the handle, with the budget's walks and 4 tree queries at most;
+    /// the rest of the way is carried to the next tick. |handle - proxy| never grows by that. A
+    /// handle that is not finite gives zero force and moves nothing. For the other modes see
+    /// Groove::step(). A new mode takes over at once, a wall with the proxy at the handle, and the
+    /// force fades over (GapFade). After that, and after a pop through, the proxy is as small as
+    /// the place is.
     [[nodiscard]] ContactReport step(Position handle, double level, const ContactSettings& settings,
                                      const Budget& budget, double dt_s = 1e-3);
 

@@ -30,8 +30,9 @@ void ContactStep::run(Position handle, ContactReport& report) {
     report_ = &report;
     mark(proxy_.centre);
     Next next = Next::again;
-    for (int move = 0; move < max_moves && walks_ < max_walks && next == Next::again && !is_late();
-         ++move) {
+    const int most_moves = 4 * budget_.walks;  // also arcs and changes of state
+    for (int move = 0;
+         move < most_moves && walks_ < budget_.walks && next == Next::again && !is_late(); ++move) {
         switch (proxy_.state) {
             case ContactState::free:
                 next = move_free();
@@ -99,7 +100,7 @@ ContactStep::InLine ContactStep::go_in_line(double way_m) {
     const bool is_forward = way_m > 0.0;
     const double sign = is_forward ? 1.0 : -1.0;
     const double limit = is_forward ? 1.0 : 0.0;
-    const int most = outlines_.is_alone(to.at.segment) ? 0 : max_walks - walks_;
+    const int most = outlines_.is_alone(to.at.segment) ? 0 : budget_.walks - walks_;
     Edge edge = start;
     double left_m = std::abs(way_m);
     while (true) {
@@ -197,9 +198,9 @@ bool ContactStep::stride(const Course& course) {
     const int step = is_forward ? 1 : -1;
     int last = at.segment.index - step;  // edge before a vertex that is passed
     bool is_on = true;
-    while (is_on && walks_ < max_walks && !is_late()) {
+    while (is_on && walks_ < budget_.walks && !is_late()) {
         const int passed = vertices_passed(row, outlines_.scene().tree, last + step, is_forward,
-                                           pull, std::min(longest_stride, max_walks - walks_));
+                                           pull, std::min(longest_stride, budget_.walks - walks_));
         is_on = passed == longest_stride;
         last += step * passed;
         walks_ += passed;

@@ -1,5 +1,5 @@
 # The 99th percentile of the servo steps against the number of edges, one curve beside the other (chart steps); time of a step
-# against error, by levels and budgets (chart accuracy). Set chart, csv and svg with gnuplot -e.
+# against error, by levels and budgets of boxes and walks (chart accuracy). Set chart, csv and svg with gnuplot -e.
 set output svg
 set datafile separator ","
 if (chart eq "steps") {
@@ -40,7 +40,7 @@ if (chart eq "steps") {
     set x2tics
     set grid xtics ytics lc rgb "#dddddd"
     set key top right
-    rows(series, curve) = sprintf("< awk -F, '$1 == \"%s\" && $3 == \"%s\"' %s", series, curve, csv)
+    rows(series, curve) = sprintf("< awk -F, '$1 == \"%s\" && $3 == \"%s\" && $4 == 65536 && $2 < 1e6' %s", series, curve, csv)
     set multiplot layout 2,2
     do for [kind in "RMS largest"] {
         force = kind eq "RMS" ? 11 : 12
@@ -52,7 +52,9 @@ if (chart eq "steps") {
             plot rows("level", curve) using (at_least(column(force))):8 with linespoints pt 7 ps 0.7 lw 2 title "fixed level 0, 1, 2 ...", \
                  rows("level", curve) using (at_least(column(force))):8:2 with labels offset 0.8,0.6 font ",10" notitle, \
                  rows("budget", curve) using (at_least(column(force))):8 with linespoints pt 5 ps 0.7 lw 2 title "level 0, budget of 1, 2, 4 ... boxes", \
-                 rows("budget", curve) using (at_least(column(force))):8:2 with labels offset 0.8,-0.6 font ",10" notitle
+                 rows("budget", curve) using (at_least(column(force))):8:2 with labels offset 0.8,-0.6 font ",10" notitle, \
+                 rows("walks", curve) using (at_least(column(force))):8 with linespoints pt 9 ps 0.7 lw 2 title "level 0, at most 16, 32 ... 4096 edges a tick", \
+                 rows("walks", curve) using (at_least(column(force))):8:2 with labels offset -1.2,-0.6 font ",10" notitle
         }
     }
     unset multiplot

@@ -26,6 +26,7 @@ class FixedLevel {
         double level = 0.0;
         int boxes = std::numeric_limits<int>::max();
         std::int64_t deadline_ns = 0;  // after the step's start; 0: none
+        int walks = Budget{}.walks;
     };
 
     /// `scene` must outlive this object.
