@@ -1,16 +1,6 @@
-# Levels, budgets of boxes and budgets of walks against error.
+# Levels and budgets of boxes against error.
 
-FNR > 2 && field("series") == "walks" {
-    key = field("value") " " field("curve") " " field("edges")
-    walk[key] = sprintf("%s / %s | %.3f | %.3f", short(field("p99_ns")), short(field("max_ns")), field("force_error_rms_N"), \
-        field("place_error_rms_mm"))
-    walk_place[key] = field("place_error_rms_mm")
-    if (!(field("value") in is_walk)) walks[++walk_count] = field("value")
-    is_walk[field("value")] = 1
-    next
-}
-
-FNR > 2 {
+FNR > 2 && field("series") != "walks" {
     key = field("series") " " field("value") " " field("curve")
     p99[key] = field("p99_ns")
     rms[key] = field("force_error_rms_N")
@@ -54,26 +44,8 @@ function table_of_settings(    k) {
     print ""
 }
 
-function table_of_walks(    k, most) {
-    print "| edges slid along in a tick, at most | radial 65536: p99 / max (ns) | force (N, RMS) | place (mm, RMS) | radial 1048576: p99 / max (ns)" \
-        " | force (N, RMS) | place (mm, RMS) | fractal 65536: p99 / max (ns) | force (N, RMS) | place (mm, RMS) |"
-    print rule(9)
-    for (k = 1; k <= walk_count; ++k) {
-        most = walks[k]
-        print "| " (most > 1e6 ? "no limit" : most (most == 256 ? " (shipped)" : "")) " | " walk_cells(most " radial 65536") " | " \
-            walk_cells(most " radial 1048576") " | " walk_cells(most " fractal 65536") " |"
-    }
-}
-
-function walk_cells(key) { return (key in walk) ? walk[key] : "- | - | -" }
-
 END {
     table_of_settings()
     sentences("radial")
     sentences("fractal")
-    print ""
-    table_of_walks()
-    printf "\nIn words: with at most 256 edges in a tick the proxy is off by %.3f mm (RMS) on the radial curve of 65536 edges and by %.3f on that of\n", \
-        walk_place["256 radial 65536"], walk_place["256 radial 1048576"]
-    print "a million, where two runs that slip off at different times are in different places; what a tick leaves is gone along in the next."
 }
