@@ -14,7 +14,7 @@ namespace touchline {
 /// nor surely ground, and the likelihood how far from it; then it decides again, finer, in a band
 /// of 3 % of the longer side round that ring. Places on both sides of the ring are equally far from
 /// the limit. Where the colours disagree with most of the likelihood, as for a hidden animal, they
-/// decide nothing. Deterministic. Some 150 ms on one processor, whatever the size.
+/// decide nothing. Deterministic. Some 100 ms on one processor, whatever the size.
 [[nodiscard]] cv::Mat1f drawn_by_colours(const cv::Mat1f& likelihood, float limit,
                                          const cv::Mat3b& picture);
 

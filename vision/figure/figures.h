@@ -34,7 +34,7 @@ struct Figures {
 [[nodiscard]] Figures figures_of(const cv::Mat1f& likelihood, cv::Size picture);
 
 /// Returns the part of a picture in which to look for the thing at a place: a square of that share
-/// of the longer side round it, moved and cut so that it lies in the picture.
+/// of the longer side round it, moved and cut so that it lies in the picture. O(1).
 [[nodiscard]] cv::Rect part_around(cv::Size picture, cv::Point place, double share);
 
 /// Finds the thing at a place, by the likelihood over a part of the picture that holds it: the one

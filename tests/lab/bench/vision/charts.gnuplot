@@ -55,7 +55,8 @@ plot results . '/figures.csv' using (of_size(8)):(of_size(3)) skip 1 with linesp
      '' using (of_size(8)):(of_size(3)):1 skip 1 with labels offset 0,1 notitle, \
      '' using (of_way('small', 8)):(of_way('small', 3)) skip 1 with points ls 3 title 'small network, ships: mean', \
      '' using (of_way('small', 8)):(of_way('small', 4)) skip 1 with points ls 3 pt 8 title 'median', \
-     '' using (of_way('grabcut', 8)):(of_way('grabcut', 3)) skip 1 with points ls 5 title 'colours alone (GrabCut): mean'
+     '' using (of_way('grabcut', 8)):(of_way('grabcut', 3)) skip 1 with points ls 5 title 'colours alone (GrabCut): mean', \
+     '' using (of_way('grabcut', 8)):(of_way('grabcut', 4)) skip 1 with points ls 5 pt 10 title 'median'
 
 set output results . '/names.svg'
 set title 'names of things, with all limits moved up and down together'

@@ -1,4 +1,4 @@
-# way,pictures,mean,median,sure,ring_sure,ring_unsure,ms,MB
+# way,pictures,mean,median,sure,ring_sure,ring_unsure,ms,MB,felt_sure,felt_unsure; the last two where they were measured
 
 # of(way): in words.
 function of(way) {
