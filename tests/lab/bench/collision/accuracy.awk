@@ -48,4 +48,5 @@ END {
     table_of_settings()
     sentences("radial")
     sentences("fractal")
+    print "Measured " machine "."
 }

@@ -24,35 +24,38 @@ class Trade {
         const Inside is_inside(points_);
         hand_.positions = positions_;
         for (const Position p : positions_) hand_.is_inside.push_back(is_inside(p));
-        FixedLevel exact(scene_, {.walks = no_limit});
-        reference_ = run(exact, hand_, limits_);
     }
 
     void write_levels_and_boxes() {
+        FixedLevel exact(scene_, {});
+        const HandRun reference = run(exact, hand_, limits_);
         for (int level = 0; level <= scene_.curves.coarsest(); ++level) {
             FixedLevel renderer(scene_, {static_cast<double>(level)});
             write_line("level", level, mean_spacing_m(scene_.curves, level),
-                       run(renderer, hand_, limits_));
+                       run(renderer, hand_, limits_), reference);
         }
         const double finest_m = mean_spacing_m(scene_.curves, 0.0);
         for (int boxes = 1; boxes <= 512; boxes *= 2) {
             FixedLevel renderer(scene_, {0.0, boxes});
-            write_line("budget", boxes, finest_m, run(renderer, hand_, limits_));
+            write_line("budget", boxes, finest_m, run(renderer, hand_, limits_), reference);
         }
     }
 
     void write_walks() {
+        FixedLevel exact(scene_, {.walks = no_limit});
+        const HandRun reference = run(exact, hand_, limits_);
         const double finest_m = mean_spacing_m(scene_.curves, 0.0);
         for (int walks = 16; walks <= 4096; walks *= 2) {
             FixedLevel renderer(scene_, {.walks = walks});
-            write_line("walks", walks, finest_m, run(renderer, hand_, limits_));
+            write_line("walks", walks, finest_m, run(renderer, hand_, limits_), reference);
         }
-        write_line("walks", no_limit, finest_m, reference_);
+        write_line("walks", no_limit, finest_m, reference, reference);
     }
 
   private:
-    void write_line(std::string_view series, int value, double spacing_m, const HandRun& done) {
-        const Deviation error = deviation(done, reference_);
+    void write_line(std::string_view series, int value, double spacing_m, const HandRun& done,
+                    const HandRun& reference) {
+        const Deviation error = deviation(done, reference);
         csv_.line(fmt::format("{},{},{},{},{:.6f},{},{},{:.6f},{:.6f},{:.6f},{:.6f},{}", series,
                               value, name_of(kind_), edges_, spacing_m * 1e3, done.proxies.size(),
                               times_of(done), error.rms_m * stiffness_N_per_m,
@@ -68,7 +71,6 @@ class Trade {
     std::vector<Position> positions_;
     Scene scene_;
     Hand hand_;
-    HandRun reference_;
 };
 
 }  // namespace
