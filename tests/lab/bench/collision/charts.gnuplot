@@ -30,6 +30,8 @@ if (chart eq "steps") {
     set logscale x2
     least = 1e-3
     at_least(v) = v > least ? v : least
+    named(error) = column(error) > least ? stringcolumn(2) : ""  # those without error lie on one another
+    set linetype 5 lc rgb "#8c6d00"
     set xrange [least * 0.6:100]
     set x2range [least * 1.2:200]
     set yrange [100:2e4]
@@ -52,9 +54,9 @@ if (chart eq "steps") {
             plot rows("level", curve) using (at_least(column(force))):8 with linespoints pt 7 ps 0.7 lw 2 title "fixed level 0, 1, 2 ...", \
                  rows("level", curve) using (at_least(column(force))):8:2 with labels offset 0.8,0.6 font ",10" notitle, \
                  rows("budget", curve) using (at_least(column(force))):8 with linespoints pt 5 ps 0.7 lw 2 title "level 0, budget of 1, 2, 4 ... boxes", \
-                 rows("budget", curve) using (at_least(column(force))):8:2 with labels offset 0.8,-0.6 font ",10" notitle, \
+                 rows("budget", curve) using (at_least(column(force))):8:(named(force)) with labels offset 0.8,-0.6 font ",10" notitle, \
                  rows("walks", curve) using (at_least(column(force))):8 with linespoints pt 9 ps 0.7 lw 2 title "level 0, at most 16, 32 ... 4096 edges a tick", \
-                 rows("walks", curve) using (at_least(column(force))):8:2 with labels offset -1.2,-0.6 font ",10" notitle
+                 rows("walks", curve) using (at_least(column(force))):8:(named(force)) with labels offset -1.2,-0.6 font ",10" notitle
         }
     }
     unset multiplot
