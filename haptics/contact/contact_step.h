@@ -38,7 +38,7 @@ class ContactStep {
     /// `radius_m` is the proxy's now, at most the one in the settings. Way points are added to
     /// `path` if it is not null.
     ContactStep(RenderedOutlines& outlines, const ContactSettings& settings, double radius_m,
-                Budget budget, ProxyState& proxy, std::vector<Position>* path)
+                const Budget& budget, ProxyState& proxy, std::vector<Position>* path)
         : outlines_(outlines),
           settings_(settings),
           budget_(budget),

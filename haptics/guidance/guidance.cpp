@@ -211,8 +211,8 @@ void Guidance::begin_tour(const Scene& scene) {
 }
 
 void Guidance::begin_to_line(const Scene& scene, Position handle) {
-    const Closest at =
-        scene.tree.closest_point(scene.curves, handle, 0.0, line_reach_m, Budget{query_boxes, 0});
+    const Closest at = scene.tree.closest_point(scene.curves, handle, 0.0, line_reach_m,
+                                                Budget{.boxes = query_boxes});
     if (at.segment.piece < 0) return end(GuidancePhase::stopped);
     status_.outline = scene.curves.piece(at.segment.piece).outline;
     point_.go_straight(at.point, command_.speed_m_per_s);

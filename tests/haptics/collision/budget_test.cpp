@@ -46,7 +46,7 @@ TEST(Budget, ClearNeverFallsAndNoAnswerIsWrong) {
             motion.radius_m == 0.0 && segments.first_meeting(motion.from, motion.to).has_value();
         double clear = 0.0;
         for (int boxes = 0; boxes <= whole.boxes; ++boxes) {
-            const Hit cut = scene.tree.first_hit(scene.curves, motion, {boxes, 0});
+            const Hit cut = scene.tree.first_hit(scene.curves, motion, {.boxes = boxes});
             ASSERT_LE(cut.boxes, boxes);
             ASSERT_GE(cut.clear, clear);
             ASSERT_LE(cut.clear, whole.clear);

@@ -45,7 +45,7 @@ TEST(LevelReached, AnswersExactlyForTheLevelItNamesWhichNeverCoarsensWithTheBudg
             bool was_known = false;
             for (int boxes = 0; boxes < 400; boxes += 1 + boxes / 8) {
                 const HitAtLevel found =
-                    scene.tree.first_hit_at_level_reached(scene.curves, motion, {boxes, 0});
+                    scene.tree.first_hit_at_level_reached(scene.curves, motion, {.boxes = boxes});
                 ASSERT_LE(found.hit.boxes, boxes);
                 ASSERT_LE(found.level, std::max(reached, level));
                 ASSERT_TRUE(found.is_known || !was_known);

@@ -255,7 +255,7 @@ TEST(ContactMachine, WithoutBudgetTheMotionIsCarriedAndNothingIsCrossed) {
     const Scene scene = scene_of(map_of({scenes::circle(0.03, 256)}));
     ContactMachine machine;
     machine.reset(scene, {0.0, 0.0}, 0.0);
-    ContactReport report = machine.step({0.04, 0.0}, 0.0, {}, {1, 0});
+    ContactReport report = machine.step({0.04, 0.0}, 0.0, {}, {.boxes = 1});
     EXPECT_GT(report.carried_m, 0.0);
     EXPECT_LT(report.clear, 1.0);
     EXPECT_LE(report.boxes, 1);

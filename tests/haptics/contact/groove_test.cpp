@@ -39,7 +39,7 @@ TEST(Groove, PullsToTheLineByItsProfileAndNotBeyondItsCapture) {
         EXPECT_NEAR(report.p_WP.y, 0.0, 1e-15);
         ContactMachine unable;
         unable.reset(scene, {0.0, 0.01}, 0.0);
-        const ContactReport cut = unable.step({0.0, d}, 0.0, settings, {0, 0});
+        const ContactReport cut = unable.step({0.0, d}, 0.0, settings, {.boxes = 0});
         EXPECT_EQ(cut.boxes, 0);
         EXPECT_EQ(cut.clear, 0.0);
         EXPECT_EQ(cut.force, Force{});

@@ -161,7 +161,7 @@ TEST(ContactReport, AStepOpensNoMoreBoxesThanItMay) {
                 const Position hand{-0.02 + 1e-4 * i,
                                     4e-3 * std::cos(2.0 * std::numbers::pi * i / 150.0)};
                 const double level = 0.5 * (i % 6);
-                const ContactReport report = machine.step(hand, level, settings, {most, 0});
+                const ContactReport report = machine.step(hand, level, settings, {.boxes = most});
                 ASSERT_GE(report.boxes, 0) << i;
                 ASSERT_LE(report.boxes, most) << i;
                 opened += report.boxes;
@@ -185,7 +185,7 @@ TEST(ContactReport, AStepThatIsLateMovesNothing) {
         machine.reset(scene, from, 0.0);
         in_time.reset(scene, from, 0.0);
         for (int i = 0; i < 3; ++i) {
-            const Budget budget{std::numeric_limits<int>::max(), deadline_ns};
+            const Budget budget{.deadline_ns = deadline_ns};
             const ContactReport report = machine.step(to, 0.0, settings, budget);
             const ContactReport wanted = in_time.step(to, 0.0, settings, {});
             EXPECT_EQ(report.p_WP, deadline_ns == never_ns ? wanted.p_WP : from);

@@ -37,7 +37,7 @@ double mean_spacing_m(const CurveSet& curves, double level) {
 }
 
 Position FixedLevel::step(Position hand) {
-    Budget budget{options_.boxes, 0, options_.walks};
+    Budget budget{.boxes = options_.boxes, .walks = options_.walks};
     if (options_.deadline_ns > 0) budget.deadline_ns = steady_ns() + options_.deadline_ns;
     report_ = machine_.step(hand, options_.level, settings_, budget);
     return report_.p_WP;
