@@ -31,7 +31,9 @@ const std::array<Excitation, 5> excitations = {{
     {0.0, 0.02, 1.0},
 }};
 
+/// None where no stiffness held: a tip without a wall swings for ever, and nothing is felt.
 std::vector<Excitation> excitations_of(const Cell& cell, double stiffness_N_per_m) {
+    if (!(stiffness_N_per_m > 0.0)) return {};
     if (!cell.knock_m_per_s) return {excitations.begin(), excitations.end()};
     constexpr double press_N = 20.0;  // so hard that the knock never lifts the tip off
     constexpr double never_s = 1e9;
