@@ -130,8 +130,8 @@ struct TreeChildren {
     int count = 0;
 };
 
-/// With less than about 128 boxes, or a deadline of under 7 us, a motion that starts among many
-/// lines may get nowhere: what the query does not look at counts as an obstacle from the start.
+/// A motion that starts among many lines may get nowhere with less than about 128 boxes, or with a
+/// deadline of under 7 us: what the query does not look at counts as an obstacle from the start.
 struct Budget {
     int boxes = std::numeric_limits<int>::max();  // boxes that may be opened
     std::int64_t deadline_ns = 0;  // on the steady clock, by which to return; 0: none

@@ -17,8 +17,8 @@ class SmallFigureNetwork {
     /// Returns how likely each place of an 8-bit BGR picture belongs to its main thing, 0..1, in
     /// the picture's proportions, by the limits of figures.h and the picture's colours
     /// (figure_colours.h). Fails, with one line, if the network is of another kind or cannot be
-    /// run; throws std::bad_alloc without memory. Some 140 ms, of which the network
-    /// takes 33, on one processor.
+    /// run; throws std::bad_alloc without memory. Some 140 ms on one processor, of
+    /// which the network takes 33.
     [[nodiscard]] Result<cv::Mat1f> likelihood(const cv::Mat3b& picture);
 
   private:

@@ -5,9 +5,7 @@ FNR > 2 {
         print "| curve, edges | run | budget | steps | median / p99 / max (ns) | share within the budget | steps that it cut |"
         print rule(6)
     }
-    budget = field("budget")
-    if (budget == "1 boxes") budget = "1 box"
-    printf "| %s %d | %s | %s | %d | %s / %s / %s | %.2f %% | %d |\n", field("curve"), field("edges"), field("row"), budget, \
+    printf "| %s %d | %s | %s | %d | %s / %s / %s | %.2f %% | %d |\n", field("curve"), field("edges"), field("row"), field("budget"), \
         field("steps"), short(field("median_ns")), short(field("p99_ns")), short(field("max_ns")), \
         100 * field("share_within_budget"), field("cut_steps")
     if (field("row") ~ /boxes/) {

@@ -97,10 +97,11 @@ void write_boxes(workload::Kind kind, std::size_t edges, const Scene& scene,
             most = std::max(most, renderer.report().boxes);
         }
         const StepTimes times = step_times(spent);
-        csv.line(fmt::format(
-            "budget of boxes,{},{},{} boxes,{},{:.0f},{:.0f},{:.0f},{:.5f},{},{}", name_of(kind),
-            edges, boxes, spent.size(), times.median_ns, times.p99_ns, times.max_ns,
-            static_cast<double>(kept) / static_cast<double>(spent.size()), cut, most));
+        csv.line(fmt::format("budget of boxes,{},{},{} {},{},{:.0f},{:.0f},{:.0f},{:.5f},{},{}",
+                             name_of(kind), edges, boxes, boxes == 1 ? "box" : "boxes",
+                             spent.size(), times.median_ns, times.p99_ns, times.max_ns,
+                             static_cast<double>(kept) / static_cast<double>(spent.size()), cut,
+                             most));
     }
 }
 
