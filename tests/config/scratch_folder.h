@@ -10,6 +10,13 @@
 
 namespace touchline {
 
+/// Returns a folder in memory where there is one, for tests that write hundreds of times and wait
+/// for each: on a disk a write is only done once it lies there.
+[[nodiscard]] inline std::filesystem::path fast_folder() {
+    return std::filesystem::exists("/dev/shm") ? std::filesystem::path("/dev/shm")
+                                               : std::filesystem::temp_directory_path();
+}
+
 class ScratchFolder : public OwnFolder {
   public:
     using OwnFolder::OwnFolder;

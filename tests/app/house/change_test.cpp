@@ -17,11 +17,6 @@ std::span<const std::byte> bytes_in(std::string_view text) {
     return std::as_bytes(std::span(text));
 }
 
-/// In memory, where there is such a folder: the power fails hundreds of times.
-fs::path fast_folder() {
-    return fs::exists("/dev/shm") ? fs::path("/dev/shm") : fs::temp_directory_path();
-}
-
 /// A kiosk with settings, a pack and a network; its profiles and one more pack are still to come.
 class OneKiosk : public testing::Test {
   protected:

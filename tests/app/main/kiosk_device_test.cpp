@@ -8,6 +8,7 @@
 #include "tests/machines/sim/drives/shared_peer.h"
 #include "tests/machines/sim/inverse3/service_server.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <memory>
@@ -88,10 +89,18 @@ class KioskMotors : public KioskDevice {
 
   private:
     void note() {
-        const bool is_twitching = peer_.with(
-            [&](double) { return machine_.plant().changes().back().torques != ShaftTorques{}; });
-        if (is_twitching) std::ofstream(folder_ / "twitched") << "yes\n";
+        const bool has_twitched = peer_.with([&](double) {
+            const auto& changes = machine_.plant().changes();
+            const bool has = std::any_of(
+                changes.begin() + static_cast<std::ptrdiff_t>(noted_), changes.end(),
+                [](const BridgeChange& change) { return change.torques != ShaftTorques{}; });
+            noted_ = changes.size();
+            return has;
+        });
+        if (has_twitched) std::ofstream(folder_ / "twitched") << "yes\n";
     }
+
+    std::size_t noted_ = 0;  ///< Changes of the plant that are noted already.
 };
 
 using KioskMachines = testing::Types<MoteusMachine, OdriveMachine>;

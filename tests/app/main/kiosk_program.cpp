@@ -15,7 +15,12 @@ constexpr const char* script_tools = "program='" TOUCHLINE_PROGRAM
                                      R"(
 kiosk() { "$program" "$@" >out.txt 2>err.txt & pid=$!; }
 keys() { timeout 100 xdotool search --sync --name '^Touchline$' key --delay 150 "$@" >/dev/null 2>&1; }
-wait_for() { for _ in $(seq 1000); do grep -q "$1" "$2" && return; sleep 0.1; done; }
+wait_for() {
+    for _ in $(seq 600); do ! grep -qs "$1" "$2" || return 0; sleep 0.1; done
+    echo "'$1' never came in $2" >&2
+    kill "$pid"
+    exit 98
+}
 finish() { wait "$pid"; exit $?; }
 quit() { keys q Down Return; finish; }
 )";

@@ -24,8 +24,9 @@ class KioskProgram : public testing::Test {
     void TearDown() override { std::filesystem::remove_all(folder_); }
 
     /// Runs a script and returns its exit status. In it, `kiosk ARGUMENTS` starts the program,
-    /// `keys KEY ...` presses keys in its window, `wait_for PATTERN FILE` waits for words, `quit`
-    /// asks to quit and says yes, and `finish` ends with the program's status.
+    /// `keys KEY ...` presses keys in its window, `wait_for PATTERN FILE` waits for words and
+    /// ends the script with 98 if they never come, `quit` asks to quit and says yes, and `finish`
+    /// ends with the program's status.
     int run_script(const std::string& script, bool has_display = true);
 
     [[nodiscard]] std::string text_of(const char* name) const {

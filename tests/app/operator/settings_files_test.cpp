@@ -2,12 +2,12 @@
 #include "app/operator/settings_files.h"
 
 #include "config/settings/settings_text.h"
+#include "tests/config/scratch_folder.h"
 
 #include <fstream>
 #include <thread>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 namespace touchline {
 namespace {
@@ -22,14 +22,10 @@ Settings soft() {
 
 class SettingsFilesTest : public testing::Test {
   protected:
-    SettingsFilesTest() { fs::create_directories(folder); }
-
-    ~SettingsFilesTest() override { fs::remove_all(folder); }
-
     void put(const std::string& text) const { std::ofstream(files.site) << text; }
 
-    fs::path folder =
-        fs::path(testing::TempDir()) / ("touchline-settings-" + std::to_string(getpid()));
+    ScratchFolder scratch{fast_folder()};
+    fs::path folder = scratch.path();
     SettingsFiles files{folder / "kiosk.toml", folder / "kiosk.toml.good"};
 };
 
