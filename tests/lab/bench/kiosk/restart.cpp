@@ -12,6 +12,7 @@
 #include "app/isolation/process/child.h"
 #include "config/types/steady_clock.h"
 #include "tests/app/force/servo/usb_servo.h"
+#include "tests/app/signal_one.h"
 #include "tests/lab/bench/workload.h"
 #include "tests/machines/sim/board/board_rig.h"
 #include "tests/machines/sim/umockdev/mocked_board.h"
@@ -90,7 +91,7 @@ int run_kiosk(std::size_t edges, const std::vector<std::string>& words) {
     (void)wait_until(servo,
                      [live_ns] { return steady_now_ns() - live_ns > 1'000'000LL * live_ms; });
     const std::int64_t killed_ns = steady_now_ns();
-    kill(servo_of_this_process(), SIGKILL);
+    signal_one(servo_of_this_process(), SIGKILL);
     if (!wait_until(servo, [&servo] { return !may_act(servo); })) return 1;
     if (!wait_until(servo, [&servo] { return may_act(servo); })) return 1;
     fmt::print("{:.3f}\n", 1e-6 * static_cast<double>(steady_now_ns() - killed_ns));
