@@ -48,11 +48,21 @@ class SpeakerTest : public testing::Test {
         }
     }
 
+    /// Steps until all is said. This clock is faster than the process: it waits where nobody else
+    /// would have to.
     void wait_for_end() {
         while (speaker_->queue().current()) {
+            wait_for_voice();
             (void)step();
-            (void)poll(nullptr, 0, 1);
             now_s_ -= 768.0 / frame_rate_Hz;
+        }
+    }
+
+    /// Waits until the voice has made the next step's sound, or has nothing more to say.
+    void wait_for_voice() {
+        while (!speaker_->voice().is_done() && mixer_.speech().waiting() < 768) {
+            speaker_->step(now_s_);
+            (void)poll(nullptr, 0, 1);
         }
     }
 
@@ -119,8 +129,7 @@ TEST_F(SpeakerTest, AKilledVoiceIsNotHeard) {
         if (is_killed) signal_one(speaker.voice().pid(), SIGKILL);
         std::vector<float> sound;
         for (int i = 0; i < 625; ++i) {
-            // This clock is faster than the process: it waits where nobody else would have to.
-            while (mixer_.speech().waiting() < 768) speaker.step(now_s_);
+            wait_for_voice();
             const auto part = step();
             now_s_ -= 768.0 / frame_rate_Hz;  // otherwise a busy machine's voice would count as
                                               // dead
