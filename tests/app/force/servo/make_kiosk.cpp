@@ -1,6 +1,7 @@
 #include "tests/app/force/servo/make_kiosk.h"
 
 #include "tests/app/signal_one.h"
+#include "tests/app/wait_until.h"
 
 #include <csignal>
 #include <fstream>
@@ -10,7 +11,6 @@
 #include <utility>
 
 #include <gtest/gtest.h>
-#include <poll.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -65,13 +65,10 @@ std::string MakeKiosk::words() const {
 }
 
 bool MakeKiosk::looks_until(const std::function<bool()>& condition) const {
-    constexpr int longest_wait_ms = 100'000;
-    for (int i = 0; i < longest_wait_ms; ++i) {
+    return wait_until([&] {
         look_(words());
-        if (condition()) return true;
-        poll(nullptr, 0, 1);
-    }
-    return false;
+        return condition();
+    });
 }
 
 }  // namespace touchline

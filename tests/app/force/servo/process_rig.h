@@ -6,6 +6,7 @@
 #include "tests/app/force/servo/fake_board.h"
 #include "tests/app/force/servo/mapped_file.h"
 #include "tests/app/signal_one.h"
+#include "tests/app/wait_until.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -19,23 +20,12 @@
 #include <utility>
 
 #include <gtest/gtest.h>
-#include <poll.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 
 namespace touchline {
 
-inline constexpr int longest_wait_ms = 60'000;
 inline constexpr std::uint64_t everyday_runs = 2;
-
-/// Waits until the condition holds, or a minute has passed.
-[[nodiscard]] inline bool wait_until(const std::function<bool()>& condition) {
-    for (int i = 0; i < longest_wait_ms; ++i) {
-        if (condition()) return true;
-        poll(nullptr, 0, 1);
-    }
-    return false;
-}
 
 class ProcessRig : public testing::Test {
   protected:

@@ -7,6 +7,7 @@
 #include "app/isolation/process/child.h"
 #include "config/types/pinned.h"
 #include "tests/app/signal_one.h"
+#include "tests/app/wait_until.h"
 #include "tests/machines/sim/board/board_rig.h"
 #include "tests/machines/sim/fault_lines.h"
 #include "tests/machines/sim/umockdev/mocked_board.h"
@@ -17,7 +18,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <memory>
 #include <string>
 #include <thread>
@@ -31,7 +31,6 @@
 namespace touchline {
 namespace {
 
-constexpr int longest_wait_ms = 60'000;
 constexpr double longest_zero_ms = 20.0;
 constexpr int device_number = 2;
 constexpr int busy_programs = 4;
@@ -73,14 +72,6 @@ class OtherWork : private Pinned {
   private:
     std::vector<pid_t> children_;
 };
-
-[[nodiscard]] bool wait_until(const std::function<bool()>& condition) {
-    for (int i = 0; i < longest_wait_ms; ++i) {
-        if (condition()) return true;
-        poll(nullptr, 0, 1);
-    }
-    return false;
-}
 
 class SharedNode : public testing::TestWithParam<Death> {
   protected:

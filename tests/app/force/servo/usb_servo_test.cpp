@@ -5,6 +5,7 @@
 #include "app/force/servo/servo_process.h"
 #include "app/force/servo/usb_search.h"
 #include "tests/app/force/servo/felt_line.h"
+#include "tests/app/wait_until.h"
 #include "tests/machines/sim/umockdev/mocked_board.h"
 
 #include <cstdio>
@@ -14,12 +15,9 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <poll.h>
 
 namespace touchline {
 namespace {
-
-constexpr int longest_wait_ms = 60'000;
 
 class UsbServo : public testing::Test {
   protected:
@@ -35,17 +33,15 @@ class UsbServo : public testing::Test {
     /// Starts a servo whose force does not depend on how busy the machine is.
     void start_at_any_tier() { start(TOUCHLINE_SERVO_RIG, {"usb"}); }
 
-    /// Runs frames as the kiosk does, until the condition holds or a minute has passed.
+    /// Runs frames as the kiosk does, until the condition holds.
     [[nodiscard]] bool frames_until(const std::function<bool()>& condition) {
-        for (int i = 0; i < longest_wait_ms; ++i) {
+        return wait_until([&] {
             (void)servo_->latest();
             const std::string notice = servo_->take_notice();
             if (!notice.empty()) std::printf("%s\n", notice.c_str());
             notices_ += notice;
-            if (condition()) return true;
-            poll(nullptr, 0, 1);
-        }
-        return false;
+            return condition();
+        });
     }
 
     [[nodiscard]] JointTorques held() {
